@@ -87,9 +87,9 @@ enum rhw_shader_resource_kind {
 
 /// What a type of a block is.
 enum rhw_shader_type_kind {
-    RHW_SHADER_FLOAT,  ///< number, vector or matrix
-    RHW_SHADER_INT,    ///< whole number with a sign, or a vector of them
-    RHW_SHADER_UINT,   ///< whole number without a sign, or a vector of them; GLSL's bool, 0 or 1
+    RHW_SHADER_FLOAT, ///< number, vector or matrix
+    RHW_SHADER_INT,   ///< whole number with a sign, or a vector of them
+    RHW_SHADER_UINT,  ///< whole number without a sign, or a vector of them; GLSL's bool, 0 or 1
     RHW_SHADER_ARRAY,
     RHW_SHADER_STRUCT
 };
@@ -146,10 +146,10 @@ struct rhw_shader_info {
     const struct rhw_shader_variable *inputs,
         *outputs; ///< by location and component, built-in variables left out
     uint32_t input_count, output_count;
-    uint32_t push_size;   ///< bytes of the block of push constants; 0: none is used
-    const struct rhw_shader_type *push_type; ///< struct of the push constants; NULL: none is read
-    uint32_t size[3];     ///< invocations of a workgroup in each direction; of compute
-    uint32_t shared_size; ///< bytes that they share
+    uint32_t push_size;                      ///< bytes of the block of push constants; 0: none is used
+    const struct rhw_shader_type *push_type; ///< its struct, or NULL
+    uint32_t size[3];                        ///< invocations of a workgroup in each direction; of compute
+    uint32_t shared_size;                    ///< bytes that they share
 };
 
 /// Return what a shader is. It lives as long as the shader.

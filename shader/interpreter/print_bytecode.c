@@ -26,11 +26,20 @@ static void print_register(const struct printer *printer, struct shader_operand_
     }
 }
 
+// What the instructions that the form does not have are called, and how many registers they read.
+static const struct {
+    const char *name;
+    int operands;
+} extra_ops[SHADER_COUNT_OPS - SHADER_END] = {
+    [SHADER_END - SHADER_END] = {"END", 0},         [SHADER_FILL - SHADER_END] = {"FILL", 0},
+    [SHADER_MUL_ADD - SHADER_END] = {"MUL_ADD", 3}, [SHADER_MUL_SUB - SHADER_END] = {"MUL_SUB", 3},
+    [SHADER_SUB_MUL - SHADER_END] = {"SUB_MUL", 3},
+};
+
 static void print_operation_name(const struct printer *printer, uint32_t op)
 {
-    const char *const name = op == SHADER_END    ? "END"
-                             : op == SHADER_FILL ? "FILL"
-                                                 : shader_op_name((enum shader_op)op);
+    const char *const name =
+        op >= SHADER_END ? extra_ops[op - SHADER_END].name : shader_op_name((enum shader_op)op);
     char small[32];
     size_t length = 0;
     for (const char *c = name; *c != '\0' && length + 1 < sizeof small; c++) {
@@ -99,11 +108,14 @@ static void print_immediate(const struct printer *printer, const struct shader_i
 
 static void print_operands(const struct printer *printer, const struct shader_instruction *instruction)
 {
-    const enum shader_op op = (enum shader_op)instruction->op;
+    const uint32_t op = instruction->op;
     const struct shader_operand_of operands[] = {instruction->a, instruction->b, instruction->c};
     // What is stored to is no operand of the instruction, and that of a SET stands in its first.
-    const int first = op == SHADER_LOAD || op == SHADER_STORE || op == SHADER_LENGTH || op == SHADER_BUFFER ? 1 : 0;
-    const int count = op == SHADER_SET ? 1 : shader_op_operands(op);
+    const int first =
+        op == SHADER_LOAD || op == SHADER_STORE || op == SHADER_LENGTH || op == SHADER_BUFFER ? 1 : 0;
+    const int count = op == SHADER_SET   ? 1
+                      : op >= SHADER_END ? extra_ops[op - SHADER_END].operands
+                                         : shader_op_operands((enum shader_op)op);
     for (int o = first; o < count; o++) {
         print_register(printer, operands[o]);
     }
@@ -124,11 +136,13 @@ static void print_instruction(const struct printer *printer, uint32_t number)
         shader_print_number(printer->sink, instruction->immediate, SHADER_NUMBER_EITHER);
         return;
     }
-    if (shader_op_kind_of((enum shader_op)op) == SHADER_KIND_FLOW) {
+    const enum shader_op_kind kind =
+        op >= SHADER_END ? SHADER_KIND_VALUE : shader_op_kind_of((enum shader_op)op);
+    if (kind == SHADER_KIND_FLOW) {
         print_structure(printer, instruction);
         return;
     }
-    if (op == SHADER_SET || shader_op_kind_of((enum shader_op)op) != SHADER_KIND_EFFECT) {
+    if (op == SHADER_SET || kind != SHADER_KIND_EFFECT) {
         print_register(printer, instruction->result);
     }
     print_immediate(printer, instruction);
@@ -147,8 +161,8 @@ void shader_print_bytecode(const struct shader_sink *sink, const struct shader_p
                            const struct shader_bytecode *bytecode)
 {
     const struct printer printer = {.sink = sink, .program = program, .bytecode = bytecode};
-    shader_sink_print(sink, "; %u instructions, %u groups of 8 lanes at a time\n", (unsigned)bytecode->code_count,
-                      (unsigned)bytecode->batch);
+    shader_sink_print(sink, "; %u instructions, %u groups of 8 lanes at a time\n",
+                      (unsigned)bytecode->code_count, (unsigned)bytecode->batch);
     for (uint32_t i = 0; i < bytecode->code_count; i++) {
         print_instruction(&printer, i);
         shader_sink_print(sink, "\n");

@@ -230,30 +230,19 @@ static const struct rhw_shader_variable *reflect_variables(rhw_shader *shader,
     return list.variables;
 }
 
-// Return the bytes of the block of push constants, or 0 where no code reaches one.
-static uint32_t find_push_size(const struct shader_program *form)
+// The struct of push constants, where code reaches it.
+static void reflect_push_constants(rhw_shader *shader)
 {
+    const struct shader_program *const form = shader->form;
     bool is_used = false;
     for (uint32_t i = 0; i < form->code_count; i++) {
         is_used = is_used || form->nodes[form->code[i]].op == SHADER_PUSH;
     }
     for (uint32_t i = 0; is_used && i < form->module->variable_count; i++) {
         const struct shader_variable *const variable = form->module->variables[i];
-        if (variable->storage == SPIRV_PUSH_CONSTANT) {
-            return variable->type->bytes;
-        }
-    }
-    return 0;
-}
-
-static void reflect_push_constants(rhw_shader *shader)
-{
-    const struct shader_module *const module = shader->form->module;
-    shader->info.push_size = find_push_size(shader->form);
-    for (uint32_t i = 0; i < module->variable_count && shader->info.push_size > 0; i++) {
-        const struct shader_variable *const variable = module->variables[i];
         if (variable->storage == SPIRV_PUSH_CONSTANT && variable->type->kind == SHADER_STRUCT) {
             shader->info.push_type = shader_reflect_type(shader, variable->type);
+            shader->info.push_size = shader->info.push_type->size;
             return;
         }
     }
