@@ -35,6 +35,23 @@ function(rhw_unit_room room)
   if(texts)
     rhw_add_glsl(unit_${room} ${texts})
   endif()
+  file(GLOB texts CONFIGURE_DEPENDS ${RHW_UNIT_FOLDER}/${room}/asm/*.spvasm)
+  if(texts)
+    rhw_add_assembly(unit_${room} ${RHW_UNIT_FOLDER}/${room}/asm/frame.inc ${texts})
+  endif()
+endfunction()
+
+# Gives a target a header assembled.h of texts of SPIR-V assembly behind a frame (assemble.cmake).
+function(rhw_add_assembly target frame)
+  find_program(RHW_SPIRV_AS spirv-as REQUIRED)
+  set(folder ${CMAKE_CURRENT_BINARY_DIR}/${target}_asm)
+  file(MAKE_DIRECTORY ${folder})
+  set(script ${RHW_UNIT_FOLDER}/assemble.cmake)
+  add_custom_command(OUTPUT ${folder}/assembled.h DEPENDS ${frame} ${ARGN} ${script} VERBATIM
+    COMMAND ${CMAKE_COMMAND} -DAS=${RHW_SPIRV_AS} -DFRAME=${frame} "-DTEXTS=${ARGN}" -DOUT=${folder}/assembled.h
+      -P ${script})
+  target_sources(${target} PRIVATE ${folder}/assembled.h)
+  target_include_directories(${target} PRIVATE ${folder})
 endfunction()
 
 # Adds the programs of all rooms, and the target `unit` that builds them. Leaves out rooms and files whose names follow.
