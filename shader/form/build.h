@@ -98,7 +98,7 @@ struct shader_builder {
     uint32_t nesting;
     uint32_t effort; // words that were looked at
     uint32_t block;  // label of the block that is being translated
-    uint32_t word;  // instruction that is being translated
+    uint32_t word;   // instruction that is being translated
     struct shader_frame *frame;
     struct shader_construct *constructs;
     uint32_t *constant_buckets; // hash table of the program's constants

@@ -20,7 +20,8 @@ static uint32_t add_resource(struct shader_builder *builder, const struct shader
 {
     struct shader_program *const program = builder->program;
     if (program->resource_count == MAX_VARIABLES) {
-        shader_build_refuse(builder, "the module has more than %d buffers, images and samplers", MAX_VARIABLES);
+        shader_build_refuse(builder, "the module has more than %d buffers, images and samplers",
+                            MAX_VARIABLES);
     }
     if (!program->resources) {
         program->resources =
@@ -451,8 +452,8 @@ static void build_array_length(struct shader_builder *builder)
     const struct shader_type *const type = place->type;
     if (place->kind != SHADER_PLACE_BUFFER || place->is_array_of_resources ||
         builder->program->nodes[place->buffer].op != SHADER_BUFFER || type->kind != SHADER_STRUCT ||
-        number + 1 != type->count ||
-        type->members[number].type->kind != SHADER_RUNTIME_ARRAY || type->members[number].type->stride == 0) {
+        number + 1 != type->count || type->members[number].type->kind != SHADER_RUNTIME_ARRAY ||
+        type->members[number].type->stride == 0) {
         shader_build_refuse(builder, "the last member of the block is no array without a length");
     }
     const struct shader_member *const member = &type->members[number];

@@ -77,13 +77,12 @@ static void reflect_resources(rhw_shader *shader)
                           RHW_SHADER_MAX_RESOURCES);
         }
         const bool is_buffer = resource->type->kind == SHADER_STRUCT;
-        resources[count++] =
-            (struct rhw_shader_resource){.kind = kind_of(resource),
-                                         .set = (uint32_t)variable->set,
-                                         .binding = (uint32_t)variable->binding,
-                                         .count = resource->count,
-                                         .name = name_of(module, variable->id),
-                                         .size = is_buffer ? resource->type->bytes : 0};
+        resources[count++] = (struct rhw_shader_resource){.kind = kind_of(resource),
+                                                          .set = (uint32_t)variable->set,
+                                                          .binding = (uint32_t)variable->binding,
+                                                          .count = resource->count,
+                                                          .name = name_of(module, variable->id),
+                                                          .size = is_buffer ? resource->type->bytes : 0};
     }
     if (count > 0) {
         qsort(resources, count, sizeof *resources, compare_resources);
