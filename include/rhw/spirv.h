@@ -56,6 +56,21 @@ RHW_API enum rhw_result rhw_shader_create(const void *words, size_t size, const 
 /// Destroy a shader, which may be NULL. Programs that were linked of it go on.
 RHW_API void rhw_shader_destroy(rhw_shader *shader);
 
+/// What rhw_shader_print shows of a translation.
+enum rhw_shader_stop {
+    RHW_SHADER_BUILT,    ///< the form as it is built: structured operations on scalars
+    RHW_SHADER_PASSED,   ///< the form behind its passes, as back ends take it
+    RHW_SHADER_ASSEMBLED ///< instructions of the interpreter, with their registers
+};
+
+/// Translate a shader as rhw_shader_create does up to where `stop` says, and give it to `write` as a text for people,
+/// piece by piece. Lines of the source stand in it, if the module was compiled with them. The text has no format that
+/// programs could rely on. Nothing is written of what is refused; results and `message` are those of rhw_shader_create.
+RHW_API enum rhw_result rhw_shader_print(const void *words, size_t size, const struct rhw_shader_def *def,
+                                         enum rhw_shader_stop stop,
+                                         void (*write)(void *user, const char *text, size_t size), void *user,
+                                         char *message);
+
 // Reflection -----------------------------------------------------------------------------------------
 
 /// What a binding of a set is to a shader (Vulkan 1.3 §14.1, "Descriptor Types").
@@ -70,6 +85,37 @@ enum rhw_shader_resource_kind {
     RHW_SHADER_INPUT_ATTACHMENT, ///< rhw_binding_of_texture without a sampler
 };
 
+/// What a type of a block is.
+enum rhw_shader_type_kind {
+    RHW_SHADER_FLOAT, ///< number, vector or matrix
+    RHW_SHADER_INT,   ///< whole number with a sign, or a vector of them
+    RHW_SHADER_UINT,  ///< whole number without a sign, or a vector of them; GLSL's bool, 0 or 1
+    RHW_SHADER_ARRAY,
+    RHW_SHADER_STRUCT
+};
+
+/// A type in the memory of a block, with the layout that the module gives it (std140 and std430 of GLSL among others).
+struct rhw_shader_type {
+    enum rhw_shader_type_kind kind;
+    uint32_t bits;    ///< bits of a number: 8, 16 or 32
+    uint32_t rows;    ///< rows of a matrix, components of a vector, or 1
+    uint32_t columns; ///< columns of a matrix, or 1
+    /// Rows of a matrix follow each other, and their components stand side by side; else its columns do.
+    bool is_row_major;
+    uint32_t stride; ///< bytes from column to column or row to row of a matrix, or from element to element
+    uint32_t count;  ///< members of a struct, or elements of an array; 0: as many as the buffer has room for
+    uint32_t size;   ///< bytes up to the last; without elements of an array that has no length
+    const struct rhw_shader_type *element;   ///< of an array
+    const struct rhw_shader_member *members; ///< of a struct
+    const char *name;                        ///< name of a struct in the module, or ""
+};
+
+struct rhw_shader_member {
+    const char *name; ///< name in the module, or ""
+    uint32_t offset;  ///< bytes from the begin of the struct
+    const struct rhw_shader_type *type;
+};
+
 /// A buffer, image or sampler that a shader names and uses.
 struct rhw_shader_resource {
     enum rhw_shader_resource_kind kind;
@@ -78,6 +124,9 @@ struct rhw_shader_resource {
         count; ///< elements of an array; 1 where there is none; 0 if the layout of the program says how many
     const char *name; ///< name in the module, or "" if the module has none; lives as long as the shader
     uint32_t size; ///< bytes of a buffer up to its last member, or of the part before a member without length
+    bool is_read_only; ///< no code of the shader writes to it
+    /// Struct of a buffer, NULL of what is none. It lives as long as the shader.
+    const struct rhw_shader_type *type;
 };
 
 /// A scalar, vector or column that a shader reads from the stage before, or gives to the one after.
@@ -97,9 +146,10 @@ struct rhw_shader_info {
     const struct rhw_shader_variable *inputs,
         *outputs; ///< by location and component, built-in variables left out
     uint32_t input_count, output_count;
-    uint32_t push_size;   ///< bytes of the block of push constants; 0: none is used
-    uint32_t size[3];     ///< invocations of a workgroup in each direction; of compute
-    uint32_t shared_size; ///< bytes that they share
+    uint32_t push_size;                      ///< bytes of the block of push constants; 0: none is used
+    const struct rhw_shader_type *push_type; ///< its struct, or NULL
+    uint32_t size[3];                        ///< invocations of a workgroup in each direction; of compute
+    uint32_t shared_size;                    ///< bytes that they share
 };
 
 /// Return what a shader is. It lives as long as the shader.

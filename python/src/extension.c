@@ -90,6 +90,8 @@ static int add_functions(PyObject *module)
                                    python_encode_functions,
                                    python_panorama_functions,
                                    python_resource_functions,
+                                   python_compile_functions,
+                                   python_dispatch_functions,
                                    python_diff_rasterize_functions,
                                    python_diff_rasterize_grad_functions,
                                    python_diff_interpolate_functions,
@@ -121,7 +123,7 @@ static int fill(PyObject *module)
     return add_functions(module) < 0 || python_add_memory(module) < 0 || python_add_contexts(module) < 0 ||
                    python_add_models(module) < 0 || python_add_scenes(module) < 0 ||
                    python_add_resources(module) < 0 || python_add_passes(module) < 0 ||
-                   python_add_panoramas(module) < 0 || python_add_outputs(module) < 0
+                   python_add_programs(module) < 0 || python_add_panoramas(module) < 0 || python_add_outputs(module) < 0
                ? -1
                : 0;
 }

@@ -38,6 +38,7 @@ int python_add_scenes(PyObject *module);
 int python_add_resources(PyObject *module);
 int python_add_passes(PyObject *module);
 int python_add_panoramas(PyObject *module);
+int python_add_programs(PyObject *module);
 
 // Functions of the module, by file.
 extern PyMethodDef python_model_functions[], python_camera_functions[], python_encode_functions[],

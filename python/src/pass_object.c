@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A pass: recorded by Python, run without the interpreter's lock. It holds what it draws with until it has ended.
+#include "binding_reading.h"
 #include "builtin_shaders.h"
 #include "memory_object.h"
 #include "resource_object.h"
@@ -184,6 +185,19 @@ static bool read_uniforms(PyObject *matrices, struct python_uniforms *uniforms)
     return true;
 }
 
+// A pipeline of the shaders of this package, or of a program.
+static const struct python_item *read_pipeline(const struct pass *pass, PyObject *object, bool has_program)
+{
+    const struct python_item *item =
+        keep(pass->context, pass->item->kept, object, PYTHON_ITEM_PIPELINE, "pipeline");
+    if (item && (item->kept != NULL) != has_program) {
+        PyErr_SetString(PyExc_ValueError,
+                        has_program ? "pipeline: has no program" : "pipeline: has a program of its own");
+        return NULL;
+    }
+    return item;
+}
+
 static bool read_optional(PyObject *context, PyObject *kept, PyObject *object, enum python_item_kind kind,
                           const char *name, const struct python_item **item)
 {
@@ -203,7 +217,7 @@ static bool read_draw(const struct pass *pass, PyObject *arguments, struct draw 
         return false;
     }
     PyObject *const kept = pass->item->kept;
-    if (!(draw->pipeline = keep(pass->context, kept, pipeline, PYTHON_ITEM_PIPELINE, "pipeline")) ||
+    if (!(draw->pipeline = read_pipeline(pass, pipeline, false)) ||
         !read_optional(pass->context, kept, indices, PYTHON_ITEM_BUFFER, "faces", &draw->indices) ||
         !read_optional(pass->context, kept, texture, PYTHON_ITEM_TEXTURE, "texture", &draw->texture) ||
         !read_optional(pass->context, kept, sampler, PYTHON_ITEM_SAMPLER, "sampler", &draw->sampler)) {
@@ -276,6 +290,113 @@ static PyObject *pass_draw(PyObject *self, PyObject *arguments)
     return none_if(python_context_leave(pass->context, RHW_OK));
 }
 
+// Drawing with a program ----------------------------------------------------------------------------
+
+// So many vertices without a buffer, instances, and vertices of all instances are drawn in seconds.
+static const unsigned most_vertices = 1u << 26, most_instances = 1u << 20, most_in_all = 1u << 28;
+
+struct program_draw {
+    const struct python_item *pipeline, *indices;
+    rhw_buffer buffers[RHW_MAX_ATTRIBUTES];
+    int buffer_count;
+    unsigned count, instances;
+    struct python_bindings bindings;
+};
+
+static bool check_counts(const struct program_draw *draw, PyObject *indices)
+{
+    const size_t most =
+        draw->indices ? python_resource_bytes(indices) / sizeof(uint32_t) : (size_t)most_vertices;
+    if (draw->count > most) {
+        PyErr_Format(PyExc_ValueError, "count: must be at most %zu, not %u", most, draw->count);
+        return false;
+    }
+    if (draw->instances > most_instances || (uint64_t)draw->instances * draw->count > most_in_all) {
+        PyErr_Format(PyExc_ValueError, "instances: must be at most %u, and %u vertices in all",
+                     most_instances, most_in_all);
+        return false;
+    }
+    return true;
+}
+
+static bool read_buffers(const struct pass *pass, PyObject *buffers, const struct python_program *program,
+                         struct program_draw *draw)
+{
+    if (PyTuple_Size(buffers) != program->buffer_count) {
+        PyErr_Format(PyExc_ValueError, "attributes: there must be %d", program->buffer_count);
+        return false;
+    }
+    for (; draw->buffer_count < program->buffer_count; draw->buffer_count++) {
+        const struct python_item *item =
+            keep(pass->context, pass->item->kept, PyTuple_GetItem(buffers, draw->buffer_count),
+                 PYTHON_ITEM_BUFFER, "attributes");
+        if (!item) {
+            return false;
+        }
+        draw->buffers[draw->buffer_count] = item->id.buffer;
+    }
+    return true;
+}
+
+// What runs code of Python's comes first, as that may end the pass.
+static bool read_program_draw(const struct pass *pass, PyObject *arguments, struct program_draw *draw)
+{
+    PyObject *object, *pipeline, *buffers, *indices, *bindings, *push;
+    *draw = (struct program_draw){0};
+    if (!PyArg_ParseTuple(arguments, "OOO!OIIOO:draw_program", &object, &pipeline, &PyTuple_Type, &buffers,
+                          &indices, &draw->count, &draw->instances, &bindings, &push)) {
+        return false;
+    }
+    const struct python_program *const program = python_program_get(object);
+    if (!program || !python_bindings_read(pass->context, program, bindings, push, &draw->bindings) ||
+        !is_recorded(pass) || !(draw->pipeline = read_pipeline(pass, pipeline, true))) {
+        return false;
+    }
+    if (draw->pipeline->kept != object) {
+        PyErr_SetString(PyExc_ValueError, "pipeline: has another program");
+        return false;
+    }
+    return read_optional(pass->context, pass->item->kept, indices, PYTHON_ITEM_BUFFER, "faces",
+                         &draw->indices) &&
+           check_counts(draw, indices) && read_buffers(pass, buffers, program, draw) &&
+           PyList_Append(pass->item->kept, draw->bindings.kept) == 0;
+}
+
+static enum rhw_result record_program(rhw_context *context, rhw_pass pass, const struct program_draw *draw)
+{
+    const enum rhw_result result = python_bindings_make(context, &draw->bindings);
+    if (result != RHW_OK) {
+        return result;
+    }
+    rhw_pass_set_pipeline(context, pass, draw->pipeline->id.pipeline);
+    for (int i = 0; i < draw->buffer_count; i++) {
+        rhw_pass_set_vertex_buffer(context, pass, i, draw->buffers[i], 0);
+    }
+    rhw_pass_set_uniforms(context, pass, &draw->bindings.frame, sizeof draw->bindings.frame);
+    if (draw->indices) {
+        rhw_pass_set_index_buffer(context, pass, draw->indices->id.buffer, RHW_INDEX_UINT32, 0);
+        rhw_pass_draw_indexed(context, pass, 0, draw->count, 0, 0, draw->instances);
+    } else {
+        rhw_pass_draw(context, pass, 0, draw->count, 0, draw->instances);
+    }
+    return RHW_OK;
+}
+
+// (program, pipeline, vertex buffers, index buffer or None, count, instances, bindings, push constants)
+static PyObject *pass_draw_program(PyObject *self, PyObject *arguments)
+{
+    struct pass *pass = (struct pass *)self;
+    struct program_draw draw;
+    rhw_context *context = read_program_draw(pass, arguments, &draw) ? enter(pass) : NULL;
+    bool is_good = context != NULL;
+    if (context) {
+        const enum rhw_result result = record_program(context, pass->item->id.pass, &draw);
+        is_good = python_context_leave(pass->context, result);
+    }
+    python_bindings_free(&draw.bindings);
+    return none_if(is_good);
+}
+
 // (x, y, width, height)
 static PyObject *pass_viewport(PyObject *self, PyObject *arguments)
 {
@@ -343,6 +464,7 @@ static PyObject *pass_end(PyObject *self, PyObject *nothing)
 int python_add_passes(PyObject *module)
 {
     static PyMethodDef methods[] = {{"draw", pass_draw, METH_VARARGS, NULL},
+                                    {"draw_program", pass_draw_program, METH_VARARGS, NULL},
                                     {"viewport", pass_viewport, METH_VARARGS, NULL},
                                     {"end", pass_end, METH_NOARGS, NULL},
                                     {"cancel", pass_cancel, METH_NOARGS, NULL},

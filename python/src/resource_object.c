@@ -5,13 +5,15 @@
 
 #include "builtin_shaders.h"
 #include "memory_object.h"
+#include "program_object.h"
 
 #include <stdlib.h>
 #include <string.h>
 
 struct resource {
     PyObject ob_base;
-    PyObject *context, *memory; // memory may be NULL
+    PyObject *context;
+    PyObject *memory; // of a buffer or texture; of a pipeline the program, which may be NULL
     size_t bytes;
     struct python_item *item;
 };
@@ -43,6 +45,11 @@ const struct python_item *python_resource_get(PyObject *object, PyObject *contex
         return resource->item;
     }
     return NULL;
+}
+
+bool python_is_resource(PyObject *object)
+{
+    return Py_TYPE(object) == resource_type;
 }
 
 size_t python_resource_bytes(PyObject *object)
@@ -234,6 +241,12 @@ struct request {
     PyObject *outputs; // (enum python_output, enum rhw_format) of each target
 };
 
+// A colour is laid over what is there by its alpha.
+static const struct rhw_blend_component over_color = {RHW_BLEND_SRC_ALPHA, RHW_BLEND_ONE_MINUS_SRC_ALPHA,
+                                                      RHW_BLEND_ADD};
+static const struct rhw_blend_component over_alpha = {RHW_BLEND_ONE, RHW_BLEND_ONE_MINUS_SRC_ALPHA,
+                                                      RHW_BLEND_ADD};
+
 static void add_attributes(const struct request *request, struct rhw_pipeline_def *def,
                            struct python_layout *layout)
 {
@@ -293,11 +306,9 @@ static bool add_targets(const struct request *request, struct rhw_pipeline_def *
         layout->target[output] = i;
         def->targets[i] = (struct rhw_color_target){.format = (enum rhw_format)format};
         if (request->blend && output == PYTHON_COLOR) {
-            const struct rhw_blend_component over = {RHW_BLEND_SRC_ALPHA, RHW_BLEND_ONE_MINUS_SRC_ALPHA,
-                                                     RHW_BLEND_ADD};
             def->targets[i].blend = true;
-            def->targets[i].color = over;
-            def->targets[i].alpha = (struct rhw_blend_component){RHW_BLEND_ONE, over.dst, RHW_BLEND_ADD};
+            def->targets[i].color = over_color;
+            def->targets[i].alpha = over_alpha;
         }
     }
     def->target_count = (int)count;
@@ -375,10 +386,83 @@ static PyObject *pipeline(PyObject *module, PyObject *arguments)
     return make_pipeline(context, &r);
 }
 
+// Pipelines of programs ------------------------------------------------------------------------------
+
+struct program_request {
+    int topology, cull, depth_test, depth_compare, depth_write, blend;
+    PyObject *formats; // enum rhw_format of each target
+};
+
+static bool add_formats(const struct program_request *request, const struct python_program *program,
+                        struct rhw_pipeline_def *def)
+{
+    def->target_count = (int)PyTuple_Size(request->formats);
+    if (def->target_count != program->target_count) {
+        PyErr_Format(PyExc_ValueError, "outputs: there must be %d", program->target_count);
+        return false;
+    }
+    for (int i = 0; i < def->target_count; i++) {
+        const long format = PyLong_AsLong(PyTuple_GetItem(request->formats, i));
+        if (PyErr_Occurred() || !python_is_choice((int)format, 1, RHW_FORMAT_COUNT - 1, "outputs")) {
+            return false;
+        }
+        def->targets[i] = (struct rhw_color_target){.format = (enum rhw_format)format,
+                                                    .blend = request->blend != 0 &&
+                                                             format != RHW_FORMAT_R32_UINT,
+                                                    .color = over_color,
+                                                    .alpha = over_alpha};
+    }
+    return true;
+}
+
+static PyObject *make_program_pipeline(PyObject *context, PyObject *object,
+                                       const struct program_request *request)
+{
+    const struct python_program *const program = python_program_get(object);
+    if (!program) {
+        return NULL;
+    }
+    if (program->is_compute) {
+        PyErr_SetString(PyExc_ValueError, "program: computes, and draws nothing");
+        return NULL;
+    }
+    struct rhw_pipeline_def def = rhw_pipeline_def_default();
+    def.program = *rhw_shader_program_get(program->handle);
+    memcpy(def.attributes, program->attributes, sizeof def.attributes);
+    def.attribute_count = program->attribute_count;
+    def.buffer_count = program->buffer_count;
+    def.topology = (enum rhw_topology)request->topology;
+    def.cull = (enum rhw_cull)request->cull;
+    def.depth_test = request->depth_test != 0;
+    def.depth_compare = (enum rhw_compare)request->depth_compare;
+    def.depth_read_only = def.depth_test && !request->depth_write;
+    if (!add_formats(request, program, &def)) {
+        return NULL;
+    }
+    Py_INCREF(object);
+    return make(context, PYTHON_ITEM_PIPELINE, object, NULL, create_pipeline, &def);
+}
+
+// (context, program, topology, cull, depth test, compare, write, blend, (format, ...))
+static PyObject *program_pipeline(PyObject *module, PyObject *arguments)
+{
+    (void)module;
+    PyObject *context, *program;
+    struct program_request r;
+    if (!PyArg_ParseTuple(arguments, "OOiipippO!:program_pipeline", &context, &program, &r.topology, &r.cull,
+                          &r.depth_test, &r.depth_compare, &r.depth_write, &r.blend, &PyTuple_Type,
+                          &r.formats) ||
+        !python_context_check(context)) {
+        return NULL;
+    }
+    return make_program_pipeline(context, program, &r);
+}
+
 PyMethodDef python_resource_functions[] = {
     {"buffer", buffer, METH_VARARGS, NULL},         {"texture", texture, METH_VARARGS, NULL},
     {"generate_mips", generate_mips, METH_O, NULL}, {"sampler", sampler, METH_VARARGS, NULL},
-    {"pipeline", pipeline, METH_VARARGS, NULL},     {0}};
+    {"pipeline", pipeline, METH_VARARGS, NULL},     {"program_pipeline", program_pipeline, METH_VARARGS, NULL},
+    {0}};
 
 int python_add_resources(PyObject *module)
 {

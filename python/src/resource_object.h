@@ -9,6 +9,9 @@
 const struct python_item *python_resource_get(PyObject *object, PyObject *context, enum python_item_kind kind,
                                               const char *name);
 
+/// Whether it is a Resource.
+bool python_is_resource(PyObject *object);
+
 /// Of a buffer.
 size_t python_resource_bytes(PyObject *resource);
 

@@ -102,6 +102,7 @@ uint32_t shader_emit_with(struct shader_builder *builder, enum shader_op op, uin
                           uint32_t b, uint32_t c)
 {
     const uint32_t node = shader_add_node(builder->program, op, immediate, a, b, c);
+    builder->program->origins[node] = builder->word;
     append(builder->program, node);
     return node;
 }
@@ -126,6 +127,7 @@ uint32_t shader_emit(struct shader_builder *builder, enum shader_op op, uint32_t
 uint32_t shader_new_home(struct shader_builder *builder, uint32_t initial)
 {
     const uint32_t home = shader_add_node(builder->program, SHADER_HOME, initial, 0, 0, 0);
+    builder->program->origins[home] = builder->word;
     shader_add_facts_of_home(builder, home);
     return home;
 }

@@ -38,6 +38,8 @@ uint32_t shader_add_node(struct shader_program *program, enum shader_op op, uint
                       SHADER_MAX_NODES);
     }
     if (program->node_count == program->node_room) {
+        size_t room = program->node_room;
+        program->origins = shader_grow(program->memory, program->origins, &room, sizeof *program->origins);
         program->nodes =
             shader_grow(program->memory, program->nodes, &program->node_room, sizeof *program->nodes);
     }

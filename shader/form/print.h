@@ -3,11 +3,45 @@
 #ifndef SHADER_PRINT_H
 #define SHADER_PRINT_H
 
-#include <stdio.h>
+#include <stddef.h>
 
 #include "form.h"
 
-// Print the code line by line: v is a value, h a home, # an immediate.
-void shader_print(FILE *stream, const struct shader_program *program);
+// Whoever takes a text, piece by piece.
+struct shader_sink {
+    void (*write)(void *user, const char *text, size_t size);
+    void *user;
+};
+
+// Print to a sink. A control character, which names of a module may have, becomes '?', but for line breaks.
+void shader_sink_print(const struct shader_sink *sink, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
+
+// Print the code line by line: u is a value that is computed once a call, v one of every lane, h a home. Lines of the
+// source stand before what became of them, if the module knows them.
+void shader_print(const struct shader_sink *sink, const struct shader_program *program);
+
+// Print the bits of a constant: as a float, as a whole number, or as what they seem to be.
+enum shader_number_style { SHADER_NUMBER_FLOAT, SHADER_NUMBER_INT, SHADER_NUMBER_EITHER };
+void shader_print_number(const struct shader_sink *sink, uint32_t bits, enum shader_number_style style);
+
+// print_name.c. Print the name of an input, of a built-in input, of an output, or of a home; with its component.
+void shader_print_input(const struct shader_sink *sink, const struct shader_program *program,
+                        uint32_t number);
+void shader_print_built_in(const struct shader_sink *sink, uint32_t number);
+void shader_print_output(const struct shader_sink *sink, const struct shader_program *program,
+                         uint32_t number);
+void shader_print_home(const struct shader_sink *sink, const struct shader_program *program, uint32_t home);
+// Print name, set and binding of a resource.
+void shader_print_resource(const struct shader_sink *sink, const struct shader_program *program,
+                           uint32_t number);
+
+// print_source.c. Lines of the source, by the words of the module.
+struct shader_source_lines;
+// Find them. Return NULL if the module does not know any.
+struct shader_source_lines *shader_find_source_lines(const struct shader_module *module);
+// Print the line of the instruction at `word` if it is another than the last one.
+void shader_print_source_line(const struct shader_sink *sink, struct shader_source_lines *lines,
+                              uint32_t word, int indent);
 
 #endif

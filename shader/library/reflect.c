@@ -47,25 +47,64 @@ static int compare_resources(const void *a, const void *b)
     return p < q ? -1 : p > q;
 }
 
+// What code does with a resource.
+struct use {
+    bool is_used, is_written;
+};
+
+// Mark the resource whose BUFFER node is `value`.
+static void mark_written(const struct shader_program *form, struct use *uses, uint32_t value)
+{
+    const struct shader_node *const node = &form->nodes[value];
+    for (uint32_t r = 0; node->op != SHADER_BUFFER && node->op != SHADER_WORKGROUP && r < form->resource_count;
+         r++) {
+        uses[r].is_written = true; // nothing tells which it is
+    }
+    if (node->op == SHADER_BUFFER) {
+        uses[node->immediate].is_written = true;
+    }
+}
+
+static const struct use *find_uses(const struct shader_program *form)
+{
+    struct use *const uses = shader_take(form->memory, form->resource_count, sizeof *uses);
+    for (uint32_t i = 0; i < form->code_count; i++) {
+        const struct shader_node *const node = &form->nodes[form->code[i]];
+        const uint32_t first = node->operands[0];
+        switch ((enum shader_op)node->op) {
+        case SHADER_BUFFER: uses[node->immediate].is_used = true; break;
+        case SHADER_STORE: mark_written(form, uses, first); break;
+        case SHADER_ATOMIC: mark_written(form, uses, form->lists[first + 1 + SHADER_ATOMIC_BUFFER]); break;
+        case SHADER_IMAGE_STORE:
+            mark_written(form, uses, form->lists[first + 1 + SHADER_IMAGE_TEXTURE]);
+            break;
+        default: break;
+        }
+    }
+    return uses;
+}
+
+// Return the name of a variable, or that of its block.
+static const char *name_of_resource(const struct shader_module *module,
+                                    const struct shader_resource *resource)
+{
+    const char *const name = name_of(module, resource->variable->id);
+    return name[0] || resource->type->kind != SHADER_STRUCT ? name : name_of(module, resource->type->id);
+}
+
 // Resources that no code reaches are left out: they may be those of another entry point.
 static void reflect_resources(rhw_shader *shader)
 {
     const struct shader_program *const form = shader->form;
     const struct shader_module *const module = form->module;
-    bool *const is_used = shader_take(form->memory, form->resource_count, sizeof *is_used);
+    const struct use *const uses = find_uses(form);
     struct rhw_shader_resource *const resources =
         shader_take(form->memory, form->resource_count, sizeof *resources);
     uint32_t count = 0;
-    for (uint32_t i = 0; i < form->code_count; i++) {
-        const struct shader_node *const node = &form->nodes[form->code[i]];
-        if (node->op == SHADER_BUFFER) {
-            is_used[node->immediate] = true;
-        }
-    }
     for (uint32_t r = 0; r < form->resource_count; r++) {
         const struct shader_resource *const resource = &form->resources[r];
         const struct shader_variable *const variable = resource->variable;
-        if (!is_used[r]) {
+        if (!uses[r].is_used) {
             continue;
         }
         if (variable->set < 0 || variable->set >= RHW_SHADER_MAX_SETS || variable->binding < 0) {
@@ -76,13 +115,16 @@ static void reflect_resources(rhw_shader *shader)
             shader_refuse(module, module->ids[variable->id].word, "the shader uses more than %d resources",
                           RHW_SHADER_MAX_RESOURCES);
         }
-        const bool is_buffer = resource->type->kind == SHADER_STRUCT;
+        const struct rhw_shader_type *const type =
+            resource->type->kind == SHADER_STRUCT ? shader_reflect_type(shader, resource->type) : NULL;
         resources[count++] = (struct rhw_shader_resource){.kind = kind_of(resource),
                                                           .set = (uint32_t)variable->set,
                                                           .binding = (uint32_t)variable->binding,
                                                           .count = resource->count,
-                                                          .name = name_of(module, variable->id),
-                                                          .size = is_buffer ? resource->type->bytes : 0};
+                                                          .name = name_of_resource(module, resource),
+                                                          .size = type ? type->size : 0,
+                                                          .is_read_only = !uses[r].is_written,
+                                                          .type = type};
     }
     if (count > 0) {
         qsort(resources, count, sizeof *resources, compare_resources);
@@ -188,29 +230,32 @@ static const struct rhw_shader_variable *reflect_variables(rhw_shader *shader,
     return list.variables;
 }
 
-// Return the bytes of the block of push constants, or 0 where no code reaches one.
-static uint32_t find_push_size(const struct shader_program *form)
+// The struct of push constants, where code reaches it.
+static void reflect_push_constants(rhw_shader *shader)
 {
+    const struct shader_program *const form = shader->form;
     bool is_used = false;
     for (uint32_t i = 0; i < form->code_count; i++) {
         is_used = is_used || form->nodes[form->code[i]].op == SHADER_PUSH;
     }
     for (uint32_t i = 0; is_used && i < form->module->variable_count; i++) {
         const struct shader_variable *const variable = form->module->variables[i];
-        if (variable->storage == SPIRV_PUSH_CONSTANT) {
-            return variable->type->bytes;
+        if (variable->storage == SPIRV_PUSH_CONSTANT && variable->type->kind == SHADER_STRUCT) {
+            shader->info.push_type = shader_reflect_type(shader, variable->type);
+            shader->info.push_size = shader->info.push_type->size;
+            return;
         }
     }
-    return 0;
 }
 
 void shader_reflect(rhw_shader *shader)
 {
     struct rhw_shader_info *const info = &shader->info;
     reflect_resources(shader);
+    reflect_push_constants(shader);
+    shader_name_members(shader);
     info->inputs = reflect_variables(shader, SPIRV_INPUT, &info->input_count);
     info->outputs = reflect_variables(shader, SPIRV_OUTPUT, &info->output_count);
-    info->push_size = find_push_size(shader->form);
     info->shared_size = shader->form->workgroup_size;
     for (int i = 0; i < 3; i++) {
         info->size[i] = info->stage == RHW_SHADER_COMPUTE ? shader->form->entry->local_size[i] : 0;

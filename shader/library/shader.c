@@ -70,9 +70,9 @@ static const struct shader_entry_point *find_entry(struct shader_module *module,
     shader_memory_end(module->memory);
 }
 
-static void translate(rhw_shader *shader, const void *words, size_t size, const struct rhw_shader_def *def)
+struct shader_program *shader_build_form(struct shader_memory *memory, const void *words, size_t size,
+                                         const struct rhw_shader_def *def)
 {
-    struct shader_memory *const memory = &shader->memory;
     const size_t count = size / sizeof(uint32_t);
     struct shader_specialization *const constants =
         shader_take(memory, def->constant_count, sizeof *constants);
@@ -81,7 +81,12 @@ static void translate(rhw_shader *shader, const void *words, size_t size, const 
     }
     struct shader_module *const module =
         shader_module_read(memory, copy_words(memory, words, count), count, constants, def->constant_count);
-    struct shader_program *const form = shader_build(module, find_entry(module, def));
+    return shader_build(module, find_entry(module, def));
+}
+
+static void translate(rhw_shader *shader, const void *words, size_t size, const struct rhw_shader_def *def)
+{
+    struct shader_program *const form = shader_build_form(&shader->memory, words, size, def);
     shader_run_passes(form);
     shader->form = form;
     shader->info.stage = def->stage;
@@ -90,17 +95,16 @@ static void translate(rhw_shader *shader, const void *words, size_t size, const 
     shader_reflect(shader);
 }
 
-// Return what is wrong with the arguments of rhw_shader_create, or NULL.
-static const char *find_misuse(const void *words, size_t size, const struct rhw_shader_def *def)
+const char *shader_find_misuse(const void *words, size_t size, const struct rhw_shader_def *def)
 {
     if (!def || !words) {
-        return "rhw_shader_create: `words` and `def` are not NULL";
+        return "`words` and the definition of a shader are not NULL";
     }
     if ((unsigned)def->stage >= RHW_SHADER_STAGE_COUNT) {
-        return "rhw_shader_create: `stage` is one of enum rhw_shader_stage";
+        return "`stage` of a shader is one of enum rhw_shader_stage";
     }
     if (def->constant_count != 0 && !def->constants) {
-        return "rhw_shader_create: `constants` is not NULL where there are some";
+        return "`constants` of a shader is not NULL where there are some";
     }
     if (size % sizeof(uint32_t) != 0 || size < HEADER_WORDS * sizeof(uint32_t)) {
         return "a SPIR-V module is a number of whole words, 5 at least";
@@ -115,7 +119,7 @@ enum rhw_result rhw_shader_create(const void *words, size_t size, const struct r
 {
     *shader = NULL;
     shader_say(message, "%s", "");
-    const char *const misuse = find_misuse(words, size, def);
+    const char *const misuse = shader_find_misuse(words, size, def);
     if (misuse) {
         shader_say(message, "%s", misuse);
         return RHW_ERROR_MISUSE;

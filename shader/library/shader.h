@@ -17,14 +17,26 @@ struct rhw_shader {
     const struct shader_bytecode *bytecode; // without slots and components
     struct shader_interface interface;
     struct rhw_shader_info info;
+    struct rhw_shader_type **types; // structs that `info` tells of, by id; NULL: none yet
 };
 
 // Take and leave a shader. It is freed when the last user leaves it.
 void shader_hold(const rhw_shader *shader);
 void shader_release(const rhw_shader *shader);
 
+// Return what is wrong with the arguments of rhw_shader_create, or NULL.
+const char *shader_find_misuse(const void *words, size_t size, const struct rhw_shader_def *def);
+// Read a module and build the form of an entry point, before passes.
+struct shader_program *shader_build_form(struct shader_memory *memory, const void *words, size_t size,
+                                         const struct rhw_shader_def *def);
+
 // reflect.c. Fill the shader's info.
 void shader_reflect(rhw_shader *shader);
+
+// reflect_type.c. Return a struct in memory, with its members. Each struct of a module is told once.
+const struct rhw_shader_type *shader_reflect_type(rhw_shader *shader, const struct shader_type *type);
+// Give the members of all structs that were told their names.
+void shader_name_members(const rhw_shader *shader);
 
 // Write a message of one line, where there is room for one.
 void shader_say(char *message, const char *format, ...) __attribute__((format(printf, 2, 3)));

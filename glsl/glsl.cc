@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: MIT
+// Calls glslang. Its exceptions are those of memory.
+#include "glsl.h"
+
+#include <cstdlib>
+#include <cstring>
+#include <memory>
+#include <new>
+#include <string>
+#include <vector>
+
+#include <glslang/Public/ResourceLimits.h>
+#include <glslang/Public/ShaderLang.h>
+#include <glslang/SPIRV/GlslangToSpv.h>
+
+#include "glsl_log.h"
+#include "glsl_macro.h"
+
+namespace {
+
+// glslang's own tables, which every thread shares.
+class Process {
+  public:
+    Process()
+    {
+        glslang::InitializeProcess();
+    }
+    ~Process()
+    {
+        glslang::FinalizeProcess();
+    }
+};
+
+void initialize()
+{
+    static const Process process;
+    (void)process;
+}
+
+// Asks the caller for what a text includes.
+class Includer : public glslang::TShader::Includer {
+  public:
+    explicit Includer(const glsl_options &given) : options(given)
+    {
+    }
+
+    IncludeResult *includeLocal(const char *header, const char *includer, size_t depth) override
+    {
+        return include(header, includer, depth, false);
+    }
+
+    // A name in quotes comes here when includeLocal, which looks in both manners, has refused it.
+    IncludeResult *includeSystem(const char *header, const char *includer, size_t depth) override
+    {
+        return header == failed ? refuse(header, message) : include(header, includer, depth, true);
+    }
+
+    void releaseInclude(IncludeResult *result) override
+    {
+        if (result != nullptr) {
+            std::free(result->userData);
+            delete result;
+        }
+    }
+
+  private:
+    IncludeResult *refuse(const std::string &header, const std::string &problem)
+    {
+        failed = header;
+        message = problem;
+        return new IncludeResult("", message.c_str(), message.size(), nullptr);
+    }
+
+    IncludeResult *include(const char *header, const char *includer, size_t depth, bool is_system)
+    {
+        if (options.include == nullptr) {
+            return refuse(header, "this text has no file to include from");
+        }
+        if (depth > GLSL_MAX_INCLUDE_DEPTH) {
+            return refuse(header, "more than " + std::to_string(int{GLSL_MAX_INCLUDE_DEPTH}) +
+                                      " files include each other");
+        }
+        glsl_include request = {};
+        request.header = header;
+        request.includer = includer;
+        request.is_system = is_system;
+        const char *const wrong = options.include(options.user, &request);
+        if (wrong != nullptr) {
+            return refuse(header, wrong);
+        }
+        const std::string name = request.name;
+        std::free(request.name);
+        return new IncludeResult(name, request.text, request.size, request.text);
+    }
+
+    const glsl_options &options;
+    std::string failed, message;
+};
+
+EShLanguage language_of(rhw_shader_stage stage)
+{
+    return stage == RHW_SHADER_VERTEX     ? EShLangVertex
+           : stage == RHW_SHADER_FRAGMENT ? EShLangFragment
+                                          : EShLangCompute;
+}
+
+// Parse, link and generate. Return whether there is code; `log` gets what glslang says.
+bool translate(EShLanguage stage, const char *text, int size, const char *name, const char *preamble,
+               const glsl_options &options, std::vector<unsigned> &words, std::string &log)
+{
+    const EShMessages messages = static_cast<EShMessages>(EShMsgSpvRules | EShMsgVulkanRules | EShMsgCascadingErrors |
+                                                          (options.has_lines ? EShMsgDebugInfo : 0));
+    glslang::TShader shader(stage);
+    shader.setStringsWithLengthsAndNames(&text, &size, &name, 1);
+    shader.setPreamble(preamble);
+    shader.setEnvInput(glslang::EShSourceGlsl, stage, glslang::EShClientVulkan, 100);
+    shader.setEnvClient(glslang::EShClientVulkan, glslang::EShTargetVulkan_1_1);
+    shader.setEnvTarget(glslang::EShTargetSpv, glslang::EShTargetSpv_1_3);
+    if (options.is_relaxed) {
+        shader.setEnvInputVulkanRulesRelaxed();
+        shader.setAutoMapBindings(true);
+        shader.setAutoMapLocations(true);
+    }
+    Includer includer(options);
+    const bool parsed =
+        shader.parse(GetDefaultResources(), 450, ECoreProfile, false, false, messages, includer);
+    log = shader.getInfoLog();
+    if (!parsed) {
+        return false;
+    }
+    glslang::TProgram program;
+    program.addShader(&shader);
+    const bool linked = program.link(messages) && (!options.is_relaxed || program.mapIO());
+    log += program.getInfoLog();
+    const glslang::TIntermediate *const intermediate = program.getIntermediate(stage);
+    if (!linked || intermediate == nullptr) {
+        return false;
+    }
+    spv::SpvBuildLogger logger;
+    glslang::SpvOptions spirv;
+    spirv.disableOptimizer = true;
+    spirv.generateDebugInfo = options.has_lines;
+    glslang::GlslangToSpv(*intermediate, words, &logger, &spirv);
+    log += logger.getAllMessages();
+    return !words.empty();
+}
+
+bool out_of_memory(const char *name, char *message, size_t message_size)
+{
+    glsl_log_first((std::string(name) + ": memory is out").c_str(), message, message_size);
+    return false;
+}
+
+} // namespace
+
+bool glsl_is_there(void)
+{
+    return true;
+}
+
+bool glsl_compile(enum rhw_shader_stage stage, const char *text, size_t size, const char *name,
+                  const struct glsl_options *options, struct glsl_code *code, char *message,
+                  size_t message_size)
+try {
+    static const glsl_options nothing = {};
+    const glsl_options &chosen = options != nullptr ? *options : nothing;
+    *code = glsl_code{};
+    if (size > GLSL_MAX_TEXT_SIZE) {
+        glsl_log_first((std::string(name) + ": the text is larger than 16 MiB").c_str(), message,
+                       message_size);
+        return false;
+    }
+    if (!glsl_macros_check(&chosen, message, message_size)) {
+        return false;
+    }
+    const std::unique_ptr<char, void (*)(void *)> preamble(glsl_macros_print(&chosen), std::free);
+    if (!preamble) {
+        return out_of_memory(name, message, message_size);
+    }
+    initialize();
+    std::vector<unsigned> words;
+    std::string log;
+    const bool made =
+        translate(language_of(stage), text, static_cast<int>(size), name, preamble.get(), chosen, words, log);
+    code->log = glsl_log_lines(log.c_str(), name);
+    if (code->log == nullptr) {
+        return out_of_memory(name, message, message_size);
+    }
+    if (!made) {
+        glsl_log_first(code->log, message, message_size);
+        return false;
+    }
+    code->words = static_cast<uint32_t *>(std::malloc(words.size() * sizeof(uint32_t)));
+    if (code->words == nullptr) {
+        return out_of_memory(name, message, message_size);
+    }
+    std::memcpy(code->words, words.data(), words.size() * sizeof(uint32_t));
+    code->size = words.size() * sizeof(uint32_t);
+    return true;
+} catch (const std::bad_alloc &) {
+    return out_of_memory(name, message, message_size);
+}
+
+void glsl_code_free(struct glsl_code *code)
+{
+    std::free(code->words);
+    std::free(code->log);
+    *code = glsl_code{};
+}

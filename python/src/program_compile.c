@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// GLSL texts to SPIR-V.
+#include "extension.h"
+
+#include "glsl/glsl.h"
+
+// (stage, text, name, whether files may be included): (SPIR-V or None, the first error or "", the log)
+static PyObject *compile(PyObject *module, PyObject *arguments)
+{
+    (void)module;
+    int stage, includes;
+    const char *text, *name;
+    Py_ssize_t size;
+    if (!PyArg_ParseTuple(arguments, "iy#yp:compile", &stage, &text, &size, &name, &includes) ||
+        !python_is_choice(stage, 0, RHW_SHADER_STAGE_COUNT - 1, "stage")) {
+        return NULL;
+    }
+    char message[GLSL_MESSAGE] = "";
+    struct glsl_folders folders = {.count = 0};
+    const struct glsl_options options = {.include = includes ? glsl_include_file : NULL, .user = &folders};
+    struct glsl_code code = {.words = NULL};
+    bool is_good;
+    Py_BEGIN_ALLOW_THREADS is_good = glsl_compile((enum rhw_shader_stage)stage, text, (size_t)size, name,
+                                                  &options, &code, message, sizeof message);
+    Py_END_ALLOW_THREADS
+    PyObject *const words =
+        is_good ? PyBytes_FromStringAndSize((const char *)code.words, (Py_ssize_t)code.size) : NULL;
+    const char *const log = code.log ? code.log : "";
+    PyObject *const told = PyUnicode_DecodeUTF8(message, (Py_ssize_t)strlen(message), "replace");
+    PyObject *const all = PyUnicode_DecodeUTF8(log, (Py_ssize_t)strlen(log), "replace");
+    PyObject *result = NULL;
+    if (told && all && (words || !is_good)) {
+        result = Py_BuildValue("(OOO)", words ? words : Py_None, told, all);
+    }
+    Py_XDECREF(words);
+    Py_XDECREF(told);
+    Py_XDECREF(all);
+    glsl_code_free(&code);
+    return result;
+}
+
+static PyObject *compiles(PyObject *module, PyObject *nothing)
+{
+    (void)module;
+    (void)nothing;
+    return PyBool_FromLong(glsl_is_there());
+}
+
+PyMethodDef python_compile_functions[] = {{"compile", compile, METH_VARARGS, NULL},
+                                          {"compiles", compiles, METH_NOARGS, NULL},
+                                          {0}};

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+// Translations are printed beside their source.
+#include <glsl.h>
+#include <rhw/spirv.h>
+#include <string.h>
+
+#include "harness.h"
+
+static char printed[1 << 14];
+
+static void keep(void *user, const char *text, size_t size)
+{
+    size_t *const length = user;
+    assert_true(*length + size < sizeof printed);
+    memcpy(printed + *length, text, size);
+    *length += size;
+    printed[*length] = 0;
+}
+
+static void print(const char *text, enum rhw_shader_stage stage, enum rhw_shader_stop stop)
+{
+    char message[RHW_SHADER_MESSAGE];
+    struct glsl_code code;
+    if (!glsl_is_there()) {
+        skip();
+    }
+    if (!glsl_compile(stage, text, strlen(text), "x.frag", &(struct glsl_options){.has_lines = true}, &code, message,
+                      sizeof message)) {
+        fail_msg("%s", message);
+    }
+    size_t length = 0;
+    const struct rhw_shader_def def = {.stage = stage};
+    if (rhw_shader_print(code.words, code.size, &def, stop, keep, &length, message) != RHW_OK) {
+        fail_msg("%s", message);
+    }
+    glsl_code_free(&code);
+}
+
+// Check that parts stand in what was printed, in this order.
+static void expect_order(const char *const *parts, int count)
+{
+    const char *at = printed;
+    for (int i = 0; i < count; i++) {
+        const char *const found = strstr(at, parts[i]);
+        if (found == NULL) {
+            fail_msg("\"%s\" does not come where it should in:\n%s", parts[i], printed);
+        }
+        at = found + strlen(parts[i]);
+    }
+}
+
+static const char text[] = "layout(location = 0) in vec3 normal;\n"
+                           "layout(location = 0) out vec4 color;\n"
+                           "layout(set = 2, binding = 5) uniform Light { float tint; } light;\n"
+                           "void main()\n"
+                           "{\n"
+                           "    vec2 sum = vec2(0);\n"
+                           "    for (int i = 0; i < 4; i++) {\n"
+                           "        if (normal.y > 0.25) {\n"
+                           "            sum.y += normal.x * light.tint;\n"
+                           "        }\n"
+                           "    }\n"
+                           "    color = vec4(sum, 1, gl_FragCoord.z);\n"
+                           "}\n";
+
+static void test_the_form_stands_beside_its_source(void **state)
+{
+    (void)state;
+    static const char *const parts[] = {"; fragment shader main, ",
+                                        " = input normal.x\n",
+                                        " = resource light (set 2, binding 5)\n",
+                                        "\n; x.frag:6  vec2 sum = vec2(0);\n",
+                                        "; x.frag:7  for (int i = 0; i < 4; i++) {\n",
+                                        " = loop\n    ",
+                                        ".i 4\n",
+                                        "; x.frag:8  if (normal.y > 0.25) {\n",
+                                        " = fless 0.25 v",
+                                        "            ; x.frag:9  sum.y += normal.x * light.tint;\n            u",
+                                        " = load u",
+                                        "[0]\n",
+                                        "            set h",
+                                        ".sum.y v",
+                                        "        end_if\n",
+                                        "\nend_loop\n",
+                                        "\noutput color.z 1.0\n"};
+    print(text, RHW_SHADER_FRAGMENT, RHW_SHADER_PASSED);
+    expect_order(parts, sizeof parts / sizeof *parts);
+}
+
+static void test_the_form_is_printed_before_its_passes(void **state)
+{
+    (void)state;
+    static const char *const parts[] = {"; fragment shader main, ", "\nv", " = load v", "end_loop\n"};
+    print(text, RHW_SHADER_FRAGMENT, RHW_SHADER_BUILT);
+    expect_order(parts, sizeof parts / sizeof *parts);
+}
+
+static void test_instructions_have_registers(void **state)
+{
+    (void)state;
+    static const char *const parts[] = {
+        "; ",           " instructions, ", " groups of 8 lanes at a time\n",         "  input              r",
+        " normal.x\n",  "  loop ",         " mask r", "  load               u", " light (set 2, binding 5)",
+        "  output             color.w r", "  end "};
+    print(text, RHW_SHADER_FRAGMENT, RHW_SHADER_ASSEMBLED);
+    expect_order(parts, sizeof parts / sizeof *parts);
+}
+
+static void test_nothing_is_printed_of_what_is_refused(void **state)
+{
+    (void)state;
+    char message[RHW_SHADER_MESSAGE];
+    size_t length = 0;
+    const uint32_t words[5] = {1, 2, 3, 4, 5};
+    const struct rhw_shader_def def = {.stage = RHW_SHADER_VERTEX};
+    assert_int_equal(rhw_shader_print(words, sizeof words, &def, RHW_SHADER_PASSED, keep, &length, message),
+                     RHW_ERROR_MISUSE);
+    assert_non_null(strstr(message, "magic number"));
+    assert_int_equal(rhw_shader_print(words, 3, &def, RHW_SHADER_PASSED, keep, &length, message),
+                     RHW_ERROR_MISUSE);
+    assert_int_equal(length, 0);
+}
+
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_the_form_stands_beside_its_source),
+    cmocka_unit_test(test_the_form_is_printed_before_its_passes),
+    cmocka_unit_test(test_instructions_have_registers),
+    cmocka_unit_test(test_nothing_is_printed_of_what_is_refused),
+};
+
+const struct unit_tests test_spirv_print = UNIT_TESTS(tests, NULL, NULL);
