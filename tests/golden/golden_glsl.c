@@ -58,7 +58,8 @@ static void bind_memory(void *memory, size_t size, struct rhw_binding *binding)
 // Drawing --------------------------------------------------------------------------------------------
 
 // A view of the sphere from a distance, 4:3.
-static const float clip[16] = {1.65f, 0.3f, 0.1f, 0.1f, 0, 2.1f, -0.4f, -0.4f, 0.4f, -0.8f, -0.95f, -0.9f, 0, 0, 2.3f, 2.5f};
+static const float clip[16] = {1.65f, 0.3f,  0.1f,   0.1f,  0, 2.1f, -0.4f, -0.4f,
+                               0.4f,  -0.8f, -0.95f, -0.9f, 0, 0,    2.3f,  2.5f};
 
 static void draw(struct golden_board *board, const rhw_shader_program *program,
                  const struct rhw_shader_frame *frame, const enum rhw_format *formats, int count,
@@ -108,8 +109,7 @@ static void draw_sphere(rhw_context *context, struct golden_images *images)
     golden_check(rhw_sampler_create(context, &state, &sampler), "sampler");
     bind_memory(scene, sizeof scene, &set[0]);
     golden_check(rhw_binding_of_texture(context, make_checker(context), sampler, &set[1]), "binding");
-    const struct rhw_shader_frame frame = {
-        .sets = {set}, .push_constants = clip, .push_size = sizeof clip};
+    const struct rhw_shader_frame frame = {.sets = {set}, .push_constants = clip, .push_size = sizeof clip};
     golden_board_make(&board, context, WIDTH, HEIGHT, formats, 2);
     draw(&board, program, &frame, formats, 2, SPHERE);
     golden_board_keep(&board, images);
