@@ -10,8 +10,8 @@ struct built_in {
     enum spirv_built_in number;
     int slot; // the first component: enum shader_built_in of inputs, enum shader_output of outputs
     uint32_t components;
-    enum shader_type_kind kind; // of a component
-    enum stage_set stages;      // that have it
+    enum shader_type_kind kind; // what a component is
+    enum stage_set stages;      // stages that have it
 };
 
 static const struct built_in built_in_inputs[] = {

@@ -37,21 +37,6 @@ function(rhw_unit_room room)
   endif()
 endfunction()
 
-# Gives a target a header NAME_STAGE.h of each GLSL text NAME.STAGE: its words, as `const uint32_t NAME_STAGE[]`.
-function(rhw_add_glsl target)
-  find_program(RHW_GLSLANG glslangValidator REQUIRED)
-  set(folder ${CMAKE_CURRENT_BINARY_DIR}/${target}_glsl)
-  file(MAKE_DIRECTORY ${folder})
-  foreach(text ${ARGN})
-    get_filename_component(file ${text} NAME)
-    string(REPLACE "." "_" name ${file})
-    add_custom_command(OUTPUT ${folder}/${name}.h DEPENDS ${text} VERBATIM
-      COMMAND ${RHW_GLSLANG} -V --quiet --vn ${name} -o ${folder}/${name}.h ${text})
-    target_sources(${target} PRIVATE ${folder}/${name}.h)
-  endforeach()
-  target_include_directories(${target} PRIVATE ${folder})
-endfunction()
-
 # Adds the programs of all rooms, and the target `unit` that builds them. Leaves out rooms and files whose names follow.
 function(rhw_unit_rooms)
   add_custom_target(unit)
