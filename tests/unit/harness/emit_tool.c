@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Writes modules as C, for tests that compile what is written: a vertex and a fragment shader, or a compute shader.
-// usage: emit_tool NAME OUT.c MODULE.STAGE.spv...
+// Writes modules as C, for tests that compile what is written: a vertex and a fragment shader, or a compute shader. Beside
+// it stands a row for the table of emitted.c, with hashes of the modules.
+// usage: emit_tool NAME OUT MODULE.STAGE.spv..., which writes OUT.c and OUT.inc
 #include <rhw/spirv.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -12,7 +13,17 @@ static void fail(const char *file, const char *message)
     exit(1);
 }
 
-static rhw_shader *read_shader(const char *path, enum rhw_shader_stage stage)
+// FNV-1a, as emitted.c has it.
+static uint64_t hash_bytes(const unsigned char *bytes, size_t size)
+{
+    uint64_t hash = 0xcbf29ce484222325;
+    for (size_t i = 0; i < size; i++) {
+        hash = (hash ^ bytes[i]) * 0x100000001b3;
+    }
+    return hash;
+}
+
+static rhw_shader *read_shader(const char *path, enum rhw_shader_stage stage, uint64_t *hash)
 {
     static unsigned char words[1 << 22];
     FILE *const file = fopen(path, "rb");
@@ -21,6 +32,7 @@ static rhw_shader *read_shader(const char *path, enum rhw_shader_stage stage)
     }
     const size_t size = fread(words, 1, sizeof words, file);
     fclose(file);
+    *hash = hash_bytes(words, size);
     const struct rhw_shader_def def = {.stage = stage};
     char message[RHW_SHADER_MESSAGE];
     rhw_shader *shader;
@@ -37,28 +49,40 @@ static enum rhw_shader_stage stage_of(const char *path)
                                     : RHW_SHADER_COMPUTE;
 }
 
+static void write_file(const char *out, const char *ending, const char *text)
+{
+    char path[4096];
+    snprintf(path, sizeof path, "%s%s", out, ending);
+    FILE *const file = fopen(path, "wb");
+    if (!file || fputs(text, file) < 0 || fclose(file) != 0) {
+        fail(path, "it cannot be written");
+    }
+}
+
 int main(int argc, char **argv)
 {
     struct rhw_shader_program_def def = {.vertex = NULL};
     const rhw_shader **const stages[] = {&def.vertex, &def.fragment, &def.compute};
-    char message[RHW_SHADER_MESSAGE], *text;
+    uint64_t hashes[RHW_SHADER_STAGE_COUNT] = {0};
+    char message[RHW_SHADER_MESSAGE], row[256], *text;
     rhw_shader_program *program;
     if (argc < 4) {
-        fail("usage", "emit_tool NAME OUT.c MODULE.STAGE.spv...");
+        fail("usage", "emit_tool NAME OUT MODULE.STAGE.spv...");
     }
     for (int i = 3; i < argc; i++) {
         const enum rhw_shader_stage stage = stage_of(argv[i]);
-        *stages[stage] = read_shader(argv[i], stage);
+        *stages[stage] = read_shader(argv[i], stage, &hashes[stage]);
     }
     const struct rhw_shader_c_def how = {.name = argv[1]};
     if (rhw_shader_program_create(&def, &program, message) != RHW_OK ||
         rhw_shader_program_emit_c(program, &how, &text, message) != RHW_OK) {
         fail(argv[3], message);
     }
-    FILE *const file = fopen(argv[2], "wb");
-    if (!file || fputs(text, file) < 0 || fclose(file) != 0) {
-        fail(argv[2], "it cannot be written");
-    }
+    snprintf(row, sizeof row, "%s(%s, 0x%llx, 0x%llx)\n", def.compute ? "EMITTED_COMPUTE" : "EMITTED_DRAWN",
+             argv[1], (unsigned long long)(def.compute ? hashes[RHW_SHADER_COMPUTE] : hashes[0]),
+             (unsigned long long)hashes[RHW_SHADER_FRAGMENT]);
+    write_file(argv[2], ".c", text);
+    write_file(argv[2], ".inc", row);
     rhw_shader_free_text(text);
     rhw_shader_program_destroy(program);
     for (int s = 0; s < RHW_SHADER_STAGE_COUNT; s++) {
