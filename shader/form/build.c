@@ -9,7 +9,7 @@
 enum {
     CONSTANT_BUCKETS = 1024,
     MAX_LOOKED_AT = 32,  // constants of a bucket
-    MAX_EFFORT = 1 << 27 // words: a fraction of a second
+    MAX_EFFORT = 1 << 25 // words: a fraction of a second
 };
 
 // Instructions ---------------------------------------------------------------------------------------
@@ -45,7 +45,8 @@ uint32_t shader_operand(const struct shader_builder *builder, uint32_t index)
 void shader_spend(struct shader_builder *builder, uint32_t words)
 {
     if (words > MAX_EFFORT - builder->effort) {
-        shader_build_refuse(builder, "the shader has too many instructions, of its calls in their places too");
+        shader_build_refuse(builder,
+                            "the shader has too many instructions, of its calls in their places too");
     }
     builder->effort += words;
 }

@@ -44,6 +44,10 @@ function(rhw_unit_room room)
       endforeach()
     endif()
   endif()
+  file(GLOB texts CONFIGURE_DEPENDS ${RHW_UNIT_FOLDER}/${room}/asm/*.spvasm)
+  if(texts)
+    rhw_add_assembly(unit_${room} ${RHW_UNIT_FOLDER}/${room}/asm/frame.inc ${texts})
+  endif()
 endfunction()
 
 # Gives a target what the emitter writes of GLSL texts, so that its tests can draw with C (harness/emitted.h). A fragment
@@ -61,7 +65,7 @@ function(rhw_add_emitted target)
     get_filename_component(file ${text} NAME)
     get_filename_component(name ${text} NAME_WE)
     add_custom_command(OUTPUT ${folder}/${file}.spv DEPENDS ${text} VERBATIM
-      COMMAND ${RHW_GLSLANG} -V --quiet -o ${folder}/${file}.spv ${text})
+      COMMAND ${RHW_GLSLANG} -V --quiet --target-env vulkan1.1 -o ${folder}/${file}.spv ${text})
     set(modules)
     if(file MATCHES "\\.comp$")
       set(modules ${folder}/${file}.spv)
@@ -88,18 +92,16 @@ function(rhw_add_emitted target)
   rhw_add_shaders(${target} ${written})
 endfunction()
 
-# Gives a target a header NAME_STAGE.h of each GLSL text NAME.STAGE: its words, as `const uint32_t NAME_STAGE[]`.
-function(rhw_add_glsl target)
-  find_program(RHW_GLSLANG glslangValidator REQUIRED)
-  set(folder ${CMAKE_CURRENT_BINARY_DIR}/${target}_glsl)
+# Gives a target a header assembled.h of texts of SPIR-V assembly behind a frame (assemble.cmake).
+function(rhw_add_assembly target frame)
+  find_program(RHW_SPIRV_AS spirv-as REQUIRED)
+  set(folder ${CMAKE_CURRENT_BINARY_DIR}/${target}_asm)
   file(MAKE_DIRECTORY ${folder})
-  foreach(text ${ARGN})
-    get_filename_component(file ${text} NAME)
-    string(REPLACE "." "_" name ${file})
-    add_custom_command(OUTPUT ${folder}/${name}.h DEPENDS ${text} VERBATIM
-      COMMAND ${RHW_GLSLANG} -V --quiet --vn ${name} -o ${folder}/${name}.h ${text})
-    target_sources(${target} PRIVATE ${folder}/${name}.h)
-  endforeach()
+  set(script ${RHW_UNIT_FOLDER}/assemble.cmake)
+  add_custom_command(OUTPUT ${folder}/assembled.h DEPENDS ${frame} ${ARGN} ${script} VERBATIM
+    COMMAND ${CMAKE_COMMAND} -DAS=${RHW_SPIRV_AS} -DFRAME=${frame} "-DTEXTS=${ARGN}" -DOUT=${folder}/assembled.h
+      -P ${script})
+  target_sources(${target} PRIVATE ${folder}/assembled.h)
   target_include_directories(${target} PRIVATE ${folder})
 endfunction()
 
