@@ -188,9 +188,9 @@ static void build_instruction(struct shader_builder *builder, uint32_t opcode)
         return;
     default: break;
     }
-    if (!shader_build_arithmetic(builder, opcode) && !shader_build_composite(builder, opcode) &&
-        !shader_build_memory(builder, opcode) && !shader_build_image(builder, opcode) &&
-        !shader_build_subgroup(builder, opcode)) {
+    if (!shader_build_conversion(builder, opcode) && !shader_build_arithmetic(builder, opcode) &&
+        !shader_build_composite(builder, opcode) && !shader_build_memory(builder, opcode) &&
+        !shader_build_image(builder, opcode) && !shader_build_subgroup(builder, opcode)) {
         shader_build_refuse(builder, "the instruction is not supported here");
     }
 }

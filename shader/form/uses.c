@@ -19,7 +19,7 @@ static void walk(const struct shader_program *program, struct shader_uses *uses,
     for (uint32_t i = 0; i < program->code_count; i++) {
         const uint32_t value = program->code[i];
         struct shader_node *const node = &program->nodes[value];
-        const bool is_set = node->op == SHADER_SET;
+        const bool is_set = shader_changed(program, value) != value;
         uint32_t count;
         const uint32_t *const operands = shader_operands(program, node, &count);
         if (is_set && writes) {

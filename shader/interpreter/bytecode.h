@@ -17,6 +17,7 @@ enum {
     SHADER_BATCH = 16,              // most groups at a time; a workgroup with barriers has all of its own
     SHADER_REGISTER_VECTORS = 4096, // length of the array, which takes 128 KB of stack
     SHADER_MAX_RESOURCES = 64,
+    SHADER_INPUT_NUMBERS = 400,
     SHADER_NO_RESOURCE = 0xffff, // push constants
     SHADER_SHARED = 0xfffe       // the memory of the workgroup
 };
@@ -30,9 +31,12 @@ struct shader_operand_of {
 enum shader_extra_op {
     SHADER_END = 200, // the shader ends
     SHADER_FILL,      // a register with the immediate
-    SHADER_MUL_ADD,   // a · b + c, of floats and rounded twice, as a product and a sum
-    SHADER_MUL_SUB,   // a · b − c
-    SHADER_SUB_MUL,   // c − a · b
+    SHADER_LOAD_PRIVATE,
+    SHADER_STORE_PRIVATE,
+    SHADER_LOAD_TABLE,
+    SHADER_MUL_ADD, // a · b + c, of floats and rounded twice, as a product and a sum
+    SHADER_MUL_SUB, // a · b − c
+    SHADER_SUB_MUL, // c − a · b
     SHADER_COUNT_OPS
 };
 
@@ -57,18 +61,21 @@ struct shader_bytecode {
     uint32_t code_count;
     const uint32_t *constants; // values of the first uniform registers
     uint32_t constant_count;
-    uint32_t first_uniform;          // vector
+    uint32_t first_uniform; // vector
+    uint32_t private_count; // registers behind the fixed ones that are memory of the lanes
+    const uint32_t *table;  // constants that indices pick from
+    uint32_t table_count;
     uint32_t batch;                  // groups at a time
     uint32_t workgroup_size;         // bytes of memory that a workgroup has
     const struct shader_slot *slots; // by resource; a program gives them
     uint32_t target_count;
-    // Component of the program's varyings for location · 4 + component; 0xff: there is none.
-    uint8_t component_of[128];
+    // Component of the program's varyings for an input's number (enum shader_input); 0xff: there is none.
+    uint8_t component_of[SHADER_INPUT_NUMBERS];
     // SAMPLE and IMAGE_STORE have SHADER_IMAGE_OPERANDS of them from the number in b.vector on. c.vector is the
     // resource of the sampler.
     const struct shader_operand_of *image_operands;
-    bool is_linear[32];  // by location: the input is flat or noperspective
-    uint8_t w_component; // component that holds W of the position; 0xff: there is none
+    bool is_linear[SHADER_INPUT_NUMBERS]; // by the same numbers: the input is flat or noperspective
+    uint8_t w_component;                  // component that holds W of the position; 0xff: there is none
 };
 
 // What the functions of a pipeline get as `user`.
