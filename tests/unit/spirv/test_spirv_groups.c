@@ -180,14 +180,13 @@ static void check_built_ins(int i)
     expect(&row, i, (~from & 0xff) | own | (~from & 0xff) << 8);
 }
 
-// What lanes vote, of which `part` take part and `holds` say yes.
+// What lanes vote: `holds` has a bit for each that says yes.
 static void check_ballots(int i, int *row)
 {
-    uint32_t part = 0, holds = 0, all = 1, any = 0, equal = 1, first = 8;
+    uint32_t holds = 0, all = 1, any = 0, equal = 1, first = 8;
     for (int lane = 7; lane >= 0; lane--) {
         const int other = (i & ~7) + lane;
         if (takes_part(other)) {
-            part |= 1u << lane;
             holds |= (source[other] & 4) != 0 ? 1u << lane : 0;
             all = all && source[other] > 5;
             any = any || source[other] > 95;
