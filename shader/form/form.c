@@ -61,6 +61,26 @@ uint32_t shader_add_node(struct shader_program *program, enum shader_op op, uint
     return program->node_count++;
 }
 
+uint32_t shader_add_constant(struct shader_program *program, uint32_t bits)
+{
+    enum { BUCKETS = 1024, MAX_LOOKED_AT = 32 };
+    if (!program->constant_buckets) {
+        program->constant_buckets = shader_take(program->memory, BUCKETS, sizeof(uint32_t));
+    }
+    uint32_t *const bucket = &program->constant_buckets[(bits * 2654435761u) >> 22];
+    uint32_t looked_at = 0;
+    // Constants that were chosen to fall into one bucket are not all compared: equal ones may then be two nodes.
+    for (uint32_t node = *bucket; node != 0 && looked_at < MAX_LOOKED_AT; looked_at++) {
+        if (program->nodes[node - 1].immediate == bits) {
+            return node - 1;
+        }
+        node = program->nodes[node - 1].operands[0];
+    }
+    const uint32_t node = shader_add_node(program, SHADER_CONSTANT, bits, *bucket, 0, 0);
+    *bucket = node + 1;
+    return node;
+}
+
 uint32_t *shader_operands(const struct shader_program *program, struct shader_node *node, uint32_t *count)
 {
     const enum shader_op op = (enum shader_op)node->op;

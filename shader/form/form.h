@@ -87,6 +87,7 @@ struct shader_program {
     struct shader_node *nodes;
     uint32_t node_count;
     size_t node_room;
+    uint32_t *constant_buckets; // hash table of constants
     uint32_t *origins; // by node: the word of the instruction that it comes from; 0: of none
     uint32_t *code;
     uint32_t code_count;
