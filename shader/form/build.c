@@ -7,7 +7,7 @@
 #include <string.h>
 
 enum {
-    MAX_EFFORT = 1 << 27 // words: a fraction of a second
+    MAX_EFFORT = 1 << 25 // words: a fraction of a second
 };
 
 // Instructions ---------------------------------------------------------------------------------------

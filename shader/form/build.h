@@ -150,14 +150,14 @@ void shader_define_place(struct shader_builder *builder, const struct shader_pla
 const struct shader_type *shader_result_type(const struct shader_builder *builder);
 uint32_t *shader_new_scalars(struct shader_builder *builder, const struct shader_type *type);
 
-// Note that `words` more words are looked at. Calls that are put in their places repeat words without end, so there is a
-// bound on all of them.
+// Note that `words` more words are looked at. Calls that are put in their places repeat words without end, so there is
+// a bound on all of them.
 void shader_spend(struct shader_builder *builder, uint32_t words);
 
 // signature.c. Refuse the instruction if its result or an operand, of which the first stands at `first`, is not of the
 // type that the letters ask for (signature.c tells which).
 void shader_check_signature(struct shader_builder *builder, const char *letters, uint32_t first);
-// Do so for a result of a type of its own.
+// Check the operands of an instruction whose result has a type of its own.
 void shader_check_types(struct shader_builder *builder, const struct shader_type *result, const char *letters,
                         uint32_t first);
 // Refuse an instruction of arithmetic whose operands are not of the types that it asks for.

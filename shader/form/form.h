@@ -22,8 +22,8 @@ enum shader_op_kind { SHADER_KIND_VALUE, SHADER_KIND_READ, SHADER_KIND_EFFECT, S
 
 enum {
     SHADER_MAX_NODES = 1 << 18,
-    SHADER_MAX_NESTING = 128,                     // of selections, loops and calls
-    SHADER_MAX_DEPTH = 3 * SHADER_MAX_NESTING + 2 // of IF, REGION and LOOP: a switch has three
+    SHADER_MAX_NESTING = 128,                     // selections, loops and calls inside each other
+    SHADER_MAX_DEPTH = 3 * SHADER_MAX_NESTING + 2 // IF, REGION and LOOP inside each other: a switch has three
 };
 
 struct shader_node {

@@ -34,22 +34,74 @@ function(rhw_unit_room room)
   file(GLOB texts CONFIGURE_DEPENDS ${RHW_UNIT_FOLDER}/${room}/glsl/*)
   if(texts)
     rhw_add_glsl(unit_${room} ${texts})
+    if(NOT CMAKE_CROSSCOMPILING)
+      rhw_add_emitted(unit_${room} ${texts})
+      foreach(source ${files})
+        get_filename_component(name ${source} NAME_WE)
+        add_test(NAME ${name}_in_c COMMAND unit_${room} --filter ${name})
+        set_tests_properties(${name}_in_c PROPERTIES TIMEOUT ${RHW_TEST_TIMEOUT} LABELS unit
+          ENVIRONMENT RHW_TEST_BACK_END=c)
+      endforeach()
+    endif()
+  endif()
+  file(GLOB texts CONFIGURE_DEPENDS ${RHW_UNIT_FOLDER}/${room}/asm/*.spvasm)
+  if(texts)
+    rhw_add_assembly(unit_${room} ${RHW_UNIT_FOLDER}/${room}/asm/frame.inc ${texts})
   endif()
 endfunction()
 
-# Gives a target a header NAME_STAGE.h of each GLSL text NAME.STAGE: its words, as `static const uint32_t NAME_STAGE[]`.
-function(rhw_add_glsl target)
-  find_program(RHW_GLSLANG glslangValidator REQUIRED)
-  set(folder ${CMAKE_CURRENT_BINARY_DIR}/${target}_glsl)
+# Gives a target what the emitter writes of GLSL texts, so that its tests can draw with C (harness/emitted.h). A fragment
+# shader goes with the vertex shader of its name, or with plain.vert.
+function(rhw_add_emitted target)
+  set(folder ${CMAKE_CURRENT_BINARY_DIR}/${target}_c)
   file(MAKE_DIRECTORY ${folder})
+  if(NOT TARGET emit_tool)
+    add_executable(emit_tool ${RHW_UNIT_FOLDER}/harness/emit_tool.c)
+    target_link_libraries(emit_tool PRIVATE rhw_shader rhw_options)
+  endif()
+  set(written)
+  set(rows)
   foreach(text ${ARGN})
     get_filename_component(file ${text} NAME)
-    string(REPLACE "." "_" name ${file})
-    add_custom_command(OUTPUT ${folder}/${name}.h DEPENDS ${text} VERBATIM
-      COMMAND ${RHW_GLSLANG} -V --quiet --target-env vulkan1.1 --vn ${name} -o ${folder}/${name}.h ${text}
-      COMMAND sed -i "s/^const/static const/" ${folder}/${name}.h)
-    target_sources(${target} PRIVATE ${folder}/${name}.h)
+    get_filename_component(name ${text} NAME_WE)
+    add_custom_command(OUTPUT ${folder}/${file}.spv DEPENDS ${text} VERBATIM
+      COMMAND ${RHW_GLSLANG} -V --quiet --target-env vulkan1.1 -o ${folder}/${file}.spv ${text})
+    set(modules)
+    if(file MATCHES "\\.comp$")
+      set(modules ${folder}/${file}.spv)
+    elseif(file MATCHES "\\.frag$" AND EXISTS ${RHW_UNIT_FOLDER}/spirv/glsl/${name}.vert)
+      set(modules ${folder}/${name}.vert.spv ${folder}/${file}.spv)
+    elseif(file MATCHES "\\.frag$")
+      set(modules ${folder}/plain.vert.spv ${folder}/${file}.spv)
+    endif()
+    if(modules)
+      add_custom_command(OUTPUT ${folder}/${name}.c ${folder}/${name}.inc DEPENDS emit_tool ${modules} VERBATIM
+        COMMAND emit_tool in_c_${name} ${folder}/${name} ${modules})
+      list(APPEND written ${folder}/${name}.c)
+      list(APPEND rows ${folder}/${name}.inc)
+      string(APPEND includes "#include \"${name}.inc\"\n")
+    endif()
   endforeach()
+  file(GENERATE OUTPUT ${folder}/emitted_rows.inc CONTENT "${includes}")
+  target_sources(${target} PRIVATE ${RHW_UNIT_FOLDER}/harness/emitted.c ${rows})
+  set_source_files_properties(${RHW_UNIT_FOLDER}/harness/emitted.c PROPERTIES OBJECT_DEPENDS "${rows}")
+  target_include_directories(${target} PRIVATE ${folder})
+  target_compile_definitions(${target} PRIVATE rhw_shader_create=emitted_shader_create
+    rhw_shader_program_create=emitted_program_create rhw_shader_program_get=emitted_program_get
+    rhw_shader_program_get_compute=emitted_program_get_compute)
+  rhw_add_shaders(${target} ${written})
+endfunction()
+
+# Gives a target a header assembled.h of texts of SPIR-V assembly behind a frame (assemble.cmake).
+function(rhw_add_assembly target frame)
+  find_program(RHW_SPIRV_AS spirv-as REQUIRED)
+  set(folder ${CMAKE_CURRENT_BINARY_DIR}/${target}_asm)
+  file(MAKE_DIRECTORY ${folder})
+  set(script ${RHW_UNIT_FOLDER}/assemble.cmake)
+  add_custom_command(OUTPUT ${folder}/assembled.h DEPENDS ${frame} ${ARGN} ${script} VERBATIM
+    COMMAND ${CMAKE_COMMAND} -DAS=${RHW_SPIRV_AS} -DFRAME=${frame} "-DTEXTS=${ARGN}" -DOUT=${folder}/assembled.h
+      -P ${script})
+  target_sources(${target} PRIVATE ${folder}/assembled.h)
   target_include_directories(${target} PRIVATE ${folder})
 endfunction()
 
