@@ -11,6 +11,15 @@
 
 RHW_QUIET_BEGIN
 
+// Loops ----------------------------------------------------------------------------------------------
+
+/// Return true if a loop is given up (rhw_work_is_given_up). It is called in every round, and asks in some. `*rounds`
+/// begins with 0.
+static inline bool rhw_spirv_is_given_up(uint32_t *rounds, const struct rhw_bindings *bindings)
+{
+    return ++*rounds % 256 == 0 && rhw_work_is_given_up(bindings);
+}
+
 // Resources ------------------------------------------------------------------------------------------
 
 /// Return element `element` of a binding of `count` elements that begins at place `first` of a set, or NULL where the
@@ -132,6 +141,130 @@ static inline rhw_int rhw_spirv_atomic(const struct rhw_binding *binding,
     rhw_int before;
     rhw_binding_storage_access(binding, &request, &before);
     return before;
+}
+
+/// Change texels at `at` by an operation, in the lanes of `mask`. Return the texels as they were before.
+static inline rhw_int rhw_spirv_image_atomic(const struct rhw_binding *binding,
+                                             enum rhw_storage_operation operation, const rhw_int *at,
+                                             rhw_int value, rhw_int comparand, rhw_int mask)
+{
+    const struct rhw_storage_request request = {operation, &mask, at, &value, &comparand};
+    rhw_int before;
+    rhw_binding_image_atomic(binding, &request, &before);
+    return before;
+}
+
+// Subgroups ------------------------------------------------------------------------------------------
+
+/// What rhw_spirv_scan does with the values of lanes.
+enum rhw_spirv_scan {
+    RHW_SPIRV_SCAN_FADD,
+    RHW_SPIRV_SCAN_FMUL,
+    RHW_SPIRV_SCAN_FMIN,
+    RHW_SPIRV_SCAN_FMAX,
+    RHW_SPIRV_SCAN_IADD,
+    RHW_SPIRV_SCAN_IMUL,
+    RHW_SPIRV_SCAN_MIN,
+    RHW_SPIRV_SCAN_MAX,
+    RHW_SPIRV_SCAN_MIN_UNSIGNED,
+    RHW_SPIRV_SCAN_MAX_UNSIGNED,
+    RHW_SPIRV_SCAN_AND,
+    RHW_SPIRV_SCAN_OR,
+    RHW_SPIRV_SCAN_XOR
+};
+
+/// Return a bit for each lane of `mask` whose truth holds, in all lanes.
+static inline rhw_int rhw_spirv_ballot(rhw_int truth, rhw_int mask)
+{
+    return rhw_splat_int(rhw_mask_bits(truth & mask));
+}
+
+/// Return the value in the lane whose number is given, or 0 where `mask` does not have that lane.
+static inline rhw_int rhw_spirv_shuffle(rhw_int value, rhw_int from, rhw_int mask)
+{
+    const rhw_int known = value & mask;
+    rhw_int result = rhw_splat_int(0);
+    for (int lane = 0; lane < RHW_LANES; lane++) {
+        result[lane] = (uint32_t)from[lane] < RHW_LANES ? known[from[lane]] : 0;
+    }
+    return result;
+}
+
+/// Return the result of an operation on two floats.
+static inline uint32_t rhw_spirv_scan_floats(enum rhw_spirv_scan scan, uint32_t x, uint32_t y)
+{
+    float a, b, result;
+    memcpy(&a, &x, sizeof a);
+    memcpy(&b, &y, sizeof b);
+    switch (scan) {
+    case RHW_SPIRV_SCAN_FADD: result = a + b; break;
+    case RHW_SPIRV_SCAN_FMUL: result = a * b; break;
+    case RHW_SPIRV_SCAN_FMIN: result = b < a ? b : a; break;
+    default: result = a < b ? b : a; break;
+    }
+    memcpy(&x, &result, sizeof x);
+    return x;
+}
+
+/// Return the result of an operation on two values.
+static inline uint32_t rhw_spirv_scan_two(enum rhw_spirv_scan scan, uint32_t x, uint32_t y)
+{
+    switch (scan) {
+    case RHW_SPIRV_SCAN_IADD: return x + y;
+    case RHW_SPIRV_SCAN_IMUL: return x * y;
+    case RHW_SPIRV_SCAN_MIN: return (int32_t)y < (int32_t)x ? y : x;
+    case RHW_SPIRV_SCAN_MAX: return (int32_t)x < (int32_t)y ? y : x;
+    case RHW_SPIRV_SCAN_MIN_UNSIGNED: return y < x ? y : x;
+    case RHW_SPIRV_SCAN_MAX_UNSIGNED: return x < y ? y : x;
+    case RHW_SPIRV_SCAN_AND: return x & y;
+    case RHW_SPIRV_SCAN_OR: return x | y;
+    case RHW_SPIRV_SCAN_XOR: return x ^ y;
+    default: return rhw_spirv_scan_floats(scan, x, y);
+    }
+}
+
+/// Return what a lane gets of the lanes before it where there are none.
+static inline uint32_t rhw_spirv_scan_none(enum rhw_spirv_scan scan)
+{
+    switch (scan) {
+    case RHW_SPIRV_SCAN_FMUL: return 0x3f800000;
+    case RHW_SPIRV_SCAN_FMIN: return 0x7f800000;
+    case RHW_SPIRV_SCAN_FMAX: return 0xff800000;
+    case RHW_SPIRV_SCAN_IMUL: return 1;
+    case RHW_SPIRV_SCAN_MIN: return INT32_MAX;
+    case RHW_SPIRV_SCAN_MAX: return 0x80000000;
+    case RHW_SPIRV_SCAN_MIN_UNSIGNED:
+    case RHW_SPIRV_SCAN_AND: return UINT32_MAX;
+    default: return 0;
+    }
+}
+
+/// Return the sum, or what else `how` says, of the lanes of `mask`, from the first to the last. The lowest 4 bits of
+/// `how` are an enum rhw_spirv_scan. The next 2 say how far a lane looks: 0 at all lanes of its cluster, 1 up to itself,
+/// 2 at those before it. The 2 above them are the binary logarithm of the lanes of a cluster.
+static inline rhw_int rhw_spirv_scan(uint32_t how, rhw_int value, rhw_int mask)
+{
+    const enum rhw_spirv_scan scan = (enum rhw_spirv_scan)(how & 15);
+    const uint32_t reach = how >> 4 & 3;
+    const int lanes = 1 << (how >> 6 & 3);
+    rhw_int result = rhw_splat_int(0);
+    uint32_t all = 0;
+    bool has_any = false;
+    for (int lane = 0; lane < RHW_LANES; lane++) {
+        has_any = has_any && lane % lanes != 0;
+        if (mask[lane]) {
+            const uint32_t before = has_any ? all : rhw_spirv_scan_none(scan), own = (uint32_t)value[lane];
+            all = has_any ? rhw_spirv_scan_two(scan, all, own) : own;
+            has_any = true;
+            result[lane] = (int32_t)(reach == 2 ? before : all);
+        }
+        if (reach == 0 && has_any && lane % lanes == lanes - 1) {
+            for (int other = lane - lanes + 1; other <= lane; other++) {
+                result[other] = mask[other] ? (int32_t)all : 0;
+            }
+        }
+    }
+    return result;
 }
 
 // Arithmetic -----------------------------------------------------------------------------------------
@@ -275,6 +408,26 @@ static inline void rhw_spirv_size(const struct rhw_binding *binding, const rhw_i
     for (int i = 0; i < 3; i++) {
         texel[i] = rhw_float_from_bits(size[i]);
     }
+}
+
+/// Set the first 3 components of `texel` to the bits of rhw_binding_image_size.
+static inline void rhw_spirv_image_size(const struct rhw_binding *binding, rhw_float texel[4])
+{
+    rhw_int size[3] = {rhw_splat_int(0), rhw_splat_int(0), rhw_splat_int(0)};
+    rhw_binding_image_size(binding, size);
+    for (int i = 0; i < 3; i++) {
+        texel[i] = rhw_float_from_bits(size[i]);
+    }
+}
+
+/// Return the bias with which a request samples at level `least` or coarser.
+static inline rhw_float rhw_spirv_bias(const struct rhw_binding *binding,
+                                       const struct rhw_sample_request *request, rhw_float least)
+{
+    const rhw_float zero = rhw_splat(0.0f), bias = request->bias ? *request->bias : zero;
+    rhw_float lod[2];
+    rhw_binding_sample_query_lod(binding, request, lod);
+    return bias + rhw_select(rhw_less(lod[0], least), rhw_max(least - lod[1], zero), zero);
 }
 
 /// Take what was sampled for some lanes.

@@ -29,6 +29,7 @@ struct shader_emitter {
     bool is_run_open;          // this place is in a loop over groups
     uint32_t run;              // that is open or comes next
     uint32_t wide_mask;        // number of the mask with which the run began
+    bool has_loops;            // of C
     uint32_t *loops;           // places of the LOOPs that are loops of C, from the outermost
     uint32_t loop_depth;
     bool *is_label_used; // by place of structure: something jumps to its end
@@ -64,7 +65,7 @@ uint32_t shader_c_resource(const struct shader_emitter *emitter, uint32_t value)
 // Return true if a BUFFER is one binding for all lanes of a call.
 bool shader_c_is_one_binding(const struct shader_emitter *emitter, uint32_t buffer);
 
-// c_image.c. Write SAMPLE, PART or IMAGE_STORE. Return false where the node is none of these.
+// c_image.c. Write SAMPLE, PART, IMAGE_STORE, or an operation of a subgroup. Return false where the node is none of these.
 bool shader_c_write_image(struct shader_emitter *emitter, uint32_t place);
 
 // c_flow.c. Write the whole code into the body, loops over groups with it.

@@ -79,7 +79,12 @@ static void write_sample_request(struct shader_emitter *emitter, const struct re
         fields = shader_format(memory, "%s, .bias = %s", fields,
                                write_pointed(emitter, request, "bias", SHADER_IMAGE_BIAS, true));
     }
-    shader_text_line(emitter->out, "const struct rhw_sample_request request%u = {%s};", value, fields);
+    const bool has_least = (flags & SHADER_IMAGE_HAS_LEAST_LOD) != 0;
+    shader_text_line(emitter->out, "%sstruct rhw_sample_request request%u = {%s};", has_least ? "" : "const ",
+                     value, fields);
+    if (has_least) {
+        (void)write_pointed(emitter, request, "least", SHADER_IMAGE_LEAST_LOD, true);
+    }
 }
 
 // Write what the operation needs before it is called.
@@ -118,6 +123,11 @@ static void write_call(struct shader_emitter *emitter, const struct request *req
         request->flags & SHADER_IMAGE_HAS_LOD ? shader_format(emitter->memory, "&lod%u", value) : "NULL";
     switch ((enum shader_image_operation)(request->flags & 15)) {
     case SHADER_DO_SAMPLE:
+        if (request->flags & SHADER_IMAGE_HAS_LEAST_LOD) {
+            shader_text_line(out, "const rhw_float raised%u = rhw_spirv_bias(%s, &request%u, least%u);",
+                             value, binding, value, value);
+            shader_text_line(out, "request%u.bias = &raised%u;", value, value);
+        }
         shader_text_line(out, "rhw_binding_sample(%s, &request%u, %s);", binding, value, texel);
         return;
     case SHADER_DO_GATHER:
@@ -139,6 +149,7 @@ static void write_call(struct shader_emitter *emitter, const struct request *req
         shader_text_line(out, "rhw_binding_image_load(%s, at%u, %s);", binding, value, texel);
         return;
     case SHADER_DO_SIZE: shader_text_line(out, "rhw_spirv_size(%s, %s, %s);", binding, lod, texel); return;
+    case SHADER_DO_IMAGE_SIZE: shader_text_line(out, "rhw_spirv_image_size(%s, %s);", binding, texel); return;
     case SHADER_DO_LEVELS:
         shader_text_line(out, "%s[0] = rhw_spirv_count(rhw_binding_sample_levels(%s));", texel, binding);
         return;
@@ -196,6 +207,25 @@ static void write_image_store(struct shader_emitter *emitter, uint32_t value)
     shader_c_end_bindings(emitter, texture, sampler);
 }
 
+// Subgroups: what lanes do depends on those that are active here.
+static void write_lanes(struct shader_emitter *emitter, uint32_t value)
+{
+    const struct shader_node *const node = &emitter->form->nodes[value];
+    const char *const operand = shader_c_argument(emitter, node->operands[0], false);
+    const unsigned mask = emitter->mask;
+    const char *text;
+    if (node->op == SHADER_BALLOT) {
+        text = shader_format(emitter->memory, "rhw_spirv_ballot(%s, m%u)", operand, mask);
+    } else if (node->op == SHADER_SHUFFLE) {
+        text = shader_format(emitter->memory, "rhw_spirv_shuffle(%s, %s, m%u)", operand,
+                             shader_c_argument(emitter, node->operands[1], false), mask);
+    } else {
+        text = shader_format(emitter->memory, "rhw_spirv_scan(%u, %s, m%u)", (unsigned)node->immediate,
+                             operand, mask);
+    }
+    shader_c_define(emitter, value, text, "");
+}
+
 bool shader_c_write_image(struct shader_emitter *emitter, uint32_t place)
 {
     const uint32_t value = emitter->form->code[place];
@@ -209,6 +239,9 @@ bool shader_c_write_image(struct shader_emitter *emitter, uint32_t place)
                         "");
         return true;
     case SHADER_IMAGE_STORE: write_image_store(emitter, value); return true;
+    case SHADER_BALLOT:
+    case SHADER_SHUFFLE:
+    case SHADER_SCAN: write_lanes(emitter, value); return true;
     default: return false;
     }
 }

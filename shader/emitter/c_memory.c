@@ -79,6 +79,7 @@ static const char *fragment_built_in(struct shader_emitter *emitter, uint32_t nu
                              (unsigned)(number - SHADER_IN_POINT_COORD));
     case SHADER_IN_LAYER: return "f->layer";
     case SHADER_IN_VIEWPORT: return "f->viewport_index";
+    case SHADER_IN_LANE: return "rhw_lane_numbers()";
     default: return "rhw_splat_int(0)";
     }
 }
@@ -86,7 +87,7 @@ static const char *fragment_built_in(struct shader_emitter *emitter, uint32_t nu
 static const char *invocation_built_in(struct shader_emitter *emitter, uint32_t number)
 {
     if (number >= SHADER_IN_LOCAL_INDEX) {
-        return "i->index";
+        return number == SHADER_IN_LANE ? "rhw_lane_numbers()" : "i->index";
     }
     const bool is_of_workgroup = number < SHADER_IN_LOCAL;
     const uint32_t first = number >= SHADER_IN_GLOBAL      ? SHADER_IN_GLOBAL
@@ -107,7 +108,9 @@ static void write_built_in(struct shader_emitter *emitter, uint32_t value)
     const char *text;
     switch (emitter->kind) {
     case RHW_SHADER_VERTEX:
-        text = number == SHADER_IN_INSTANCE_INDEX ? "v->instance_index" : "v->vertex_index";
+        text = number == SHADER_IN_INSTANCE_INDEX ? "v->instance_index"
+               : number == SHADER_IN_LANE         ? "rhw_lane_numbers()"
+                                                  : "v->vertex_index";
         break;
     case RHW_SHADER_FRAGMENT: text = fragment_built_in(emitter, number); break;
     default: text = invocation_built_in(emitter, number);
@@ -401,26 +404,46 @@ static const char *const atomic_names[] = {
     [SHADER_ATOMIC_XOR] = "XOR",
 };
 
-static void write_atomic(struct shader_emitter *emitter, uint32_t value)
+// Write an atomic on `buffer` by a function, whose first arguments name the word or texel.
+static void write_change(struct shader_emitter *emitter, uint32_t value, const char *function,
+                         uint32_t buffer, const char *index, uint32_t number, uint32_t comparand)
 {
-    struct shader_memory *const memory = emitter->memory;
-    struct shader_node *const node = &emitter->form->nodes[value];
-    uint32_t count;
-    const uint32_t *const operands = shader_operands(emitter->form, node, &count);
-    const char *const index = index_text(emitter, operands[SHADER_ATOMIC_OFFSET], 0, false);
-    const char *const number = shader_c_argument(emitter, operands[SHADER_ATOMIC_VALUE], false);
-    const char *const comparand = shader_c_argument(emitter, operands[SHADER_ATOMIC_COMPARAND], false);
-    const char *const name = shader_format(memory, "before%u", (unsigned)value);
+    const char *const name = shader_format(emitter->memory, "before%u", (unsigned)value);
+    const char *const by = shader_c_argument(emitter, number, false);
+    const char *const expected = shader_c_argument(emitter, comparand, false);
     const char *lanes;
     shader_text_line(emitter->out, "rhw_int %s = rhw_splat_int(0);", name);
-    const uint32_t buffer = shader_c_resource(emitter, operands[SHADER_ATOMIC_BUFFER]);
     const char *const binding = shader_c_begin_bindings(emitter, buffer, SHADER_C_NONE, &lanes);
-    shader_text_line(emitter->out, "%s |= rhw_spirv_atomic(%s, RHW_STORAGE_%s, %s, %s, %s, %s);", name,
-                     binding, atomic_names[node->immediate], index, number, comparand, lanes);
+    shader_text_line(emitter->out, "%s |= %s(%s, RHW_STORAGE_%s, %s, %s, %s, %s);", name, function, binding,
+                     atomic_names[emitter->form->nodes[value].immediate], index, by, expected, lanes);
     shader_c_end_bindings(emitter, buffer, SHADER_C_NONE);
     if (emitter->plan.uses[value] > 0) {
         shader_c_define(emitter, value, name, "");
     }
+}
+
+static void write_atomic(struct shader_emitter *emitter, uint32_t value)
+{
+    uint32_t count;
+    const uint32_t *const operands = shader_operands(emitter->form, &emitter->form->nodes[value], &count);
+    write_change(emitter, value, "rhw_spirv_atomic",
+                 shader_c_resource(emitter, operands[SHADER_ATOMIC_BUFFER]),
+                 index_text(emitter, operands[SHADER_ATOMIC_OFFSET], 0, false), operands[SHADER_ATOMIC_VALUE],
+                 operands[SHADER_ATOMIC_COMPARAND]);
+}
+
+static void write_image_atomic(struct shader_emitter *emitter, uint32_t value)
+{
+    uint32_t count;
+    const uint32_t *const operands = shader_operands(emitter->form, &emitter->form->nodes[value], &count);
+    const uint32_t *const at = &operands[SHADER_IMAGE_ATOMIC_COORDINATES];
+    shader_text_line(emitter->out, "const rhw_int at%u[3] = {%s, %s, %s};", (unsigned)value,
+                     shader_c_argument(emitter, at[0], false), shader_c_argument(emitter, at[1], false),
+                     shader_c_argument(emitter, at[2], false));
+    write_change(emitter, value, "rhw_spirv_image_atomic",
+                 shader_c_resource(emitter, operands[SHADER_IMAGE_ATOMIC_IMAGE]),
+                 shader_format(emitter->memory, "at%u", (unsigned)value), operands[SHADER_IMAGE_ATOMIC_VALUE],
+                 operands[SHADER_IMAGE_ATOMIC_COMPARAND]);
 }
 
 bool shader_c_write_access(struct shader_emitter *emitter, uint32_t place)
@@ -448,6 +471,7 @@ bool shader_c_write_access(struct shader_emitter *emitter, uint32_t place)
     case SHADER_STORE: write_store(emitter, node); return true;
     case SHADER_LENGTH: write_length(emitter, value); return true;
     case SHADER_ATOMIC: write_atomic(emitter, value); return true;
+    case SHADER_IMAGE_ATOMIC: write_image_atomic(emitter, value); return true;
     default: return false;
     }
 }

@@ -88,6 +88,9 @@ static void write_function(const struct shader_emitter *emitter, struct shader_t
     if (emitter->kind == RHW_SHADER_COMPUTE) {
         shader_text_line(file, "const int count = w->count;");
     }
+    if (emitter->has_loops) {
+        shader_text_line(file, "uint32_t rounds = 0;");
+    }
     add_text(file, &emitter->once);
     if (emitter->plan.has_cuts) {
         shader_text_line(file, "enum { GROUPS = %u };", (unsigned)emitter->stage->batch);

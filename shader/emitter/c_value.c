@@ -263,7 +263,9 @@ static bool may_stand_elsewhere(const struct shader_emitter *emitter, uint32_t p
     if (plan->uses[value] != 1 || plan->block[reader] != plan->block[place] || plan->is_kept[value] ||
         plan->is_hoisted[value] != plan->is_hoisted[emitter->form->code[reader]] || user->op == SHADER_IF ||
         user->op == SHADER_SAMPLE || user->op == SHADER_IMAGE_STORE || user->op == SHADER_ATOMIC ||
-        user->op == SHADER_BUFFER || user->op == SHADER_LOAD || strlen(expression) > LONGEST) {
+        user->op == SHADER_IMAGE_ATOMIC || user->op == SHADER_BALLOT || user->op == SHADER_SHUFFLE ||
+        user->op == SHADER_SCAN || user->op == SHADER_BUFFER || user->op == SHADER_LOAD ||
+        strlen(expression) > LONGEST) {
         return false;
     }
     for (int o = 0; o < shader_op_operands((enum shader_op)node->op); o++) {

@@ -4,6 +4,7 @@
 #define SHADER_KERNEL_FLOW_H
 
 #include "frame.h"
+#include "rhw/shader_spirv.h"
 
 static union vector *fixed_register(struct frame *frame, int number)
 {
@@ -110,10 +111,7 @@ static void run_END_REGION(struct frame *frame, const struct shader_instruction 
 // A loop may have no end, so the program is asked now and then whether somebody waits for it.
 static bool is_given_up(struct frame *frame)
 {
-    enum { ROUNDS = 256 };
-    frame->rounds++;
-    frame->is_given_up =
-        frame->is_given_up || (frame->rounds % ROUNDS == 0 && rhw_work_is_given_up(frame->bindings));
+    frame->is_given_up = frame->is_given_up || rhw_spirv_is_given_up(&frame->rounds, frame->bindings);
     return frame->is_given_up;
 }
 

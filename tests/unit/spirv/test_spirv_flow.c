@@ -4,7 +4,7 @@
 #include "spirv_run.h"
 
 #include "discards_frag.h"
-#include "endless_comp.h"
+#include "endless_work_comp.h"
 #include "endless_frag.h"
 #include "endless_vert.h"
 #include "flow_comp.h"
@@ -15,7 +15,7 @@ enum { LANES = 20, WORKGROUPS = 3 };
 static void check_given_up(int threads)
 {
     rhw_shader_program *const program =
-        spirv_link(NULL, NULL, SPIRV_CREATE(endless_comp, RHW_SHADER_COMPUTE));
+        spirv_link(NULL, NULL, SPIRV_CREATE(endless_work_comp, RHW_SHADER_COMPUTE));
     uint32_t words[LANES * WORKGROUPS];
     const struct rhw_binding binding = spirv_memory(words, sizeof words);
     const struct rhw_shader_frame frame = {.sets = {&binding}};

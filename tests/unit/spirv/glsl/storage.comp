@@ -39,6 +39,8 @@ void main()
     imageStore(cubes, at.xyw, p);
     imageStore(texels, at.x + at.y, p);
     imageStore(table[i % 4], at.xy, p);
+    memoryBarrierImage();
+    barrier();
     put(imageLoad(line, at.x));
     put(imageLoad(lines, at.yz));
     put(imageLoad(plane, at.zw));
