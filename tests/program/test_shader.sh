@@ -63,6 +63,12 @@ check "no operation is uniform before passes" sh -c "! grep -q '^u' '$folder/log
 succeed shader --print bytecode double.comp
 check "bytecode" grep -Eq "^ +[0-9]+  end *$" "$folder/log/out"
 
+
+# A program as C.
+succeed shader double.spv -o twice.c
+check "names of C" grep -q "^const struct rhw_compute_program twice_program" twice.c
+refuse 1 "2.c: its name without .c begins the names of the program" shader double.spv -o 2.c
+
 # What it computes.
 succeed shader double.comp --run --buffer 0:1=f32:1,2,3,4.5 --buffer 0:2=20 --push f32:0.25 --result 0:2=f32
 check "numbers" test "$(cat "$folder/log/out")" = "2.25,4.25,6.25,9.25,0.25"
@@ -113,6 +119,11 @@ check "both tables" test "$(grep -c '^red.*shader main$' "$folder/log/out")" = 2
 
 printf 'layout(location = 0) out vec4 c;\nvoid main() { c = vec4(1); }\n' >flat.frag
 
+succeed shader red.vert red.frag -o red.c
+check "a program of two shaders" grep -q "red.vert and red.frag" red.c
+succeed shader flat.frag -o flat.c
+check "a program that covers the picture" grep -q "^const struct rhw_program flat_program" flat.c
+
 # What is wrong is told in one line, and nothing is written.
 printf 'void main()\n{\n    foo = 1;\n    bar();\n}\n' >wrong.frag
 refuse 1 "wrong.frag:3: 'foo' : undeclared identifier$" shader wrong.frag -o wrong.spv
@@ -156,9 +167,9 @@ refuse 2 "--run: of a compute shader needs --result" shader double.spv --run
 refuse 2 "--run: of a fragment shader needs -o" shader red.spv --run
 refuse 2 "red.vert: a vertex shader runs with a fragment shader beside it" shader red.vert --run -o a.png
 refuse 2 "a.png: a compute shader has no picture" shader double.spv --run --result 0:2=f32 -o a.png
-refuse 2 "a.png: SPIR-V is named .spv; a picture, .png, is drawn with --run" shader red.frag -o a.png
+refuse 2 "a.png: SPIR-V is named .spv, and C .c; a picture, .png, is drawn with --run" shader red.frag -o a.png
 refuse 2 "a.spv: a picture of --run is named .png" shader red.frag --run -o a.spv
-refuse 2 "a.spv: takes one FILE" shader red.vert red.frag -o a.spv
+refuse 2 "a.spv: SPIR-V is written of one FILE" shader red.vert red.frag -o a.spv
 refuse 2 "--print: 'glsl' is not info, spirv, ir or bytecode" shader red.frag --print glsl
 refuse 2 "--json: goes with --print info alone" shader red.frag --json --print ir
 refuse 2 "--after: goes with --print ir alone" shader red.frag --after build

@@ -82,9 +82,16 @@ extern const char *const cli_shader_stage_names[RHW_SHADER_STAGE_COUNT];
 // closed in either case.
 bool cli_shader_file_open(struct cli_shader_file *file, const char *path, struct cli_shader_job *job);
 void cli_shader_file_close(struct cli_shader_file *file);
+/// Write a file. Report failure.
+bool cli_shader_write_bytes(const char *path, const void *bytes, size_t size);
 struct rhw_shader_def cli_shader_file_def(const struct cli_shader_file *file);
 /// Read all bytes of a file, by malloc, with a 0 behind them. Report what is wrong; `most` is the largest size.
 char *cli_shader_read(const char *path, size_t most, size_t *size);
+
+// shader_link.c. Link the shaders of files, a fragment shader alone with one that covers the picture if it `needs_program`;
+// else *linked is NULL. Report what does not fit.
+bool cli_shader_link(const struct cli_shader_file *files, int count, bool needs_program,
+                     rhw_shader_program **linked);
 
 // shader_table.c. Print what shaders are.
 void cli_shader_print_table(const struct cli_shader_file *file);

@@ -367,26 +367,12 @@ bool cli_shader_write_picture(rhw_context *context, rhw_texture texture, int wid
     return written;
 }
 
-static bool write_bytes(const char *path, const void *bytes, size_t size)
-{
-    struct cli_output_file file;
-    if (!cli_output_file_open(&file, path)) {
-        return false;
-    }
-    fwrite(bytes, 1, size, file.stream);
-    const bool written = cli_output_file_finish(&file) && cli_output_file_commit(&file);
-    if (!written) {
-        cli_output_file_discard(&file);
-    }
-    return written;
-}
-
 static bool give(const struct cli_shader_resources *resources, const struct cli_shader_resource *resource,
                  const struct cli_shader_binding *asked)
 {
     if (is_buffer(resource->what)) {
         return cli_shader_values_print(asked->value, resource->memory, resource->size) ||
-               write_bytes(asked->value, resource->memory, resource->size);
+               cli_shader_write_bytes(asked->value, resource->memory, resource->size);
     }
     const size_t length = strlen(asked->value);
     if (length < 5 || strcasecmp(asked->value + length - 4, ".png") != 0) {

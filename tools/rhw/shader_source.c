@@ -67,6 +67,20 @@ char *cli_shader_read(const char *path, size_t most, size_t *size)
     return bytes;
 }
 
+bool cli_shader_write_bytes(const char *path, const void *bytes, size_t size)
+{
+    struct cli_output_file file;
+    if (!cli_output_file_open(&file, path)) {
+        return false;
+    }
+    fwrite(bytes, 1, size, file.stream);
+    const bool written = cli_output_file_finish(&file) && cli_output_file_commit(&file);
+    if (!written) {
+        cli_output_file_discard(&file);
+    }
+    return written;
+}
+
 // Compiling ------------------------------------------------------------------------------------------
 
 // Report a line of the compiler, "NAME:LINE: what is wrong".
