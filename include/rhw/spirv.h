@@ -105,8 +105,8 @@ struct rhw_shader_type {
     uint32_t stride; ///< bytes from column to column or row to row of a matrix, or from element to element
     uint32_t count;  ///< members of a struct, or elements of an array; 0: as many as the buffer has room for
     uint32_t size;   ///< bytes up to the last; without elements of an array that has no length
-    const struct rhw_shader_type *element;   ///< of an array
-    const struct rhw_shader_member *members; ///< of a struct
+    const struct rhw_shader_type *element;   ///< type of an array's elements, or NULL
+    const struct rhw_shader_member *members; ///< members of a struct, or NULL
     const char *name;                        ///< name of a struct in the module, or ""
 };
 
@@ -147,7 +147,7 @@ struct rhw_shader_info {
         *outputs; ///< by location and component, built-in variables left out
     uint32_t input_count, output_count;
     uint32_t push_size;                      ///< bytes of the block of push constants; 0: none is used
-    const struct rhw_shader_type *push_type; ///< its struct, or NULL
+    const struct rhw_shader_type *push_type; ///< struct of the push constants; NULL if there are none
     uint32_t size[3];                        ///< invocations of a workgroup in each direction; of compute
     uint32_t shared_size;                    ///< bytes that they share
 };

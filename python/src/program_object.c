@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A program keeps copies of what it needs of its shaders, so that they end with the call that makes it. It belongs to no
-// context: pipelines of any context are made of it, on any thread.
+// A program keeps copies of what it needs of its shaders, so that they end with the call that makes it. It belongs to
+// no context: pipelines of any context are made of it, on any thread.
 #include "program_object.h"
 
 #include "program_info.h"
