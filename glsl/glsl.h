@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // GLSL 4.50 and ESSL 3.10 texts for Vulkan 1.1 become SPIR-V 1.3. A build without glslang has the same functions, and
-// refuses every text in one line. Any thread may compile; those that compile at a time do not wait for each other.
+// refuses every text in one line. Any thread may compile, and several at a time. Each text is compiled in a process of its
+// own, which may crash or take too long.
 #ifndef GLSL_GLSL_H
 #define GLSL_GLSL_H
 
@@ -14,8 +15,9 @@ extern "C" {
 #endif
 
 enum {
-    GLSL_MAX_INCLUDE_DEPTH = 32,  ///< files that include each other
-    GLSL_MAX_TEXT_SIZE = 16 << 20 ///< bytes of a text, and of a file that is included
+    GLSL_MAX_INCLUDE_DEPTH = 32,   ///< files that include each other
+    GLSL_MAX_TEXT_SIZE = 16 << 20, ///< bytes of a text, and of a file that is included
+    GLSL_MAX_CODE_SIZE = 256 << 20 ///< bytes of a module
 };
 
 /// A macro that a text may use, as `#define name value` before its first line.
@@ -37,8 +39,8 @@ struct glsl_include {
 struct glsl_options {
     const struct glsl_macro *macros;
     uint32_t macro_count;
-    /// Fill the results of an include. Return NULL, or what is wrong: it lives until the next call. NULL: a text that
-    /// includes is refused.
+    /// Fill the results of an include. Return NULL, or what is wrong: it lives until the next call. It runs in the process
+    /// that compiles, so what it changes is lost. NULL: a text that includes is refused.
     const char *(*include)(void *user, struct glsl_include *include);
     void *user;
     /// Uniforms that are in no block, as OpenGL has them, go to a block `gl_DefaultUniformBlock` of set 0, and what has no

@@ -37,7 +37,8 @@ static rhw_shader_program *link_screen(const struct cli_shader_file *file)
     return program;
 }
 
-bool cli_shader_link(const struct cli_shader_file *files, int count, bool needs_program, rhw_shader_program **linked)
+bool cli_shader_link(const struct cli_shader_file *files, int count, bool needs_program,
+                     rhw_shader_program **linked)
 {
     struct rhw_shader_program_def def = {0};
     *linked = NULL;
