@@ -30,8 +30,8 @@ static int run(void *user, struct system_child *child)
     const struct order *const order = user;
     struct head head = {0};
     struct glsl_code code;
-    glsl_compile_here(order->stage, order->text, order->size, order->name, order->options, &code, head.message,
-                      sizeof head.message);
+    glsl_compile_here(order->stage, order->text, order->size, order->name, order->options, &code,
+                      head.message, sizeof head.message);
     head.code_size = code.size;
     head.log_size = code.log != NULL ? strlen(code.log) : 0;
     fwrite(&head, sizeof head, 1, child->reply);
@@ -79,7 +79,8 @@ static bool take(FILE *reply, struct glsl_code *code, struct head *head)
     return true;
 }
 
-static void tell_end(const struct system_child_result *result, const char *name, char *message, size_t message_size)
+static void tell_end(const struct system_child_result *result, const char *name, char *message,
+                     size_t message_size)
 {
     switch (result->end) {
     case SYSTEM_CHILD_CPU_TIME:
@@ -90,8 +91,8 @@ static void tell_end(const struct system_child_result *result, const char *name,
         snprintf(message, message_size, "%s: compiling could not start: %s", name, strerror(result->number));
         break;
     case SYSTEM_CHILD_SIGNAL:
-        snprintf(message, message_size, "%s: the compiler crashed (signal %d); the text may nest too deep", name,
-                 result->number);
+        snprintf(message, message_size, "%s: the compiler crashed (signal %d); the text may nest too deep",
+                 name, result->number);
         break;
     default: snprintf(message, message_size, "%s: compiling needs more memory than there is", name);
     }

@@ -88,8 +88,8 @@ struct rhw_shader_def cli_shader_file_def(const struct cli_shader_file *file);
 /// Read all bytes of a file, by malloc, with a 0 behind them. Report what is wrong; `most` is the largest size.
 char *cli_shader_read(const char *path, size_t most, size_t *size);
 
-// shader_link.c. Link the shaders of files, a fragment shader alone with one that covers the picture if it `needs_program`;
-// else *linked is NULL. Report what does not fit.
+// shader_link.c. Link the shaders of files, a fragment shader alone with one that covers the picture if it
+// `needs_program`; else *linked is NULL. Report what does not fit.
 bool cli_shader_link(const struct cli_shader_file *files, int count, bool needs_program,
                      rhw_shader_program **linked);
 
