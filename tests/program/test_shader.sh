@@ -19,7 +19,7 @@ GLSL
 "$rhw" shader double.comp >"$folder/log/out" 2>"$folder/log/err"
 if grep -q "built without glslang" "$folder/log/err"; then
     refuse 1 "double.comp: this rhw was built without glslang, so it reads SPIR-V alone" shader double.comp
-    refuse 2 "double.txt: a shader's file is named .vert, .frag, .comp \(GLSL\) or .spv" shader double.txt
+    refuse 1 "double.txt: a shader's file is named .vert, .frag, .comp \(GLSL\) or .spv" shader double.txt
     finish
 fi
 
