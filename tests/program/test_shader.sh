@@ -27,9 +27,9 @@ fi
 cat >want <<'TEXT'
 double.comp: compute shader main
 resources, by set and binding
-  0:1   storage buffer, read only, Source, 0 bytes
+  0:1   storage buffer, read only, Source, 0 bytes and an array of any length
          0  float[]      source
-  0:2   storage buffer Sink, 0 bytes
+  0:2   storage buffer Sink, 0 bytes and an array of any length
          0  float[]      sink
 push constants, 4 bytes
          0  float        shift
@@ -129,6 +129,10 @@ printf 'void main()\n{\n    foo = 1;\n    bar();\n}\n' >wrong.frag
 refuse 1 "wrong.frag:3: 'foo' : undeclared identifier$" shader wrong.frag -o wrong.spv
 run shader --all-errors wrong.frag
 check "all errors" grep -q "^rhw: wrong.frag:4: 'bar' : no matching overloaded function found$" "$folder/log/err"
+printf '#extension GL_none : enable\nvoid main() {}\n' >warned.frag
+run shader warned.frag
+check "a warning" test "$status:$(cat "$folder/log/err")" = "0:rhw: warned.frag:1: warning: '#extension' : extension not supported: GL_none"
+refuse 1 "warned.frag:1: warning: '#extension' : extension not supported: GL_none" shader --strict warned.frag
 refuse 1 "paint.frag:1: '#include' : there is no such file for header name: tone.glsl" shader paint.frag -D TONE=1
 refuse 1 "paint.frag:5: 'non-opaque uniforms outside a block'" shader paint.frag -D TONE=1 -I library
 succeed shader paint.frag -D TONE=1 -I library --relaxed

@@ -45,7 +45,7 @@ struct cli_shader_constant {
 struct cli_shader_job {
     const char *out; ///< NULL: none
     enum cli_shader_print print;
-    bool is_relaxed, has_step, is_before_passes, json, all_errors, runs;
+    bool is_strict, is_relaxed, has_step, is_before_passes, json, all_errors, runs;
     const char *entry_point; ///< NULL: "main", or the only one
     struct glsl_macro macros[CLI_SHADER_LIST];
     int macro_count;
@@ -95,6 +95,8 @@ bool cli_shader_link(const struct cli_shader_file *files, int count, bool needs_
 
 // shader_table.c. Print what shaders are.
 void cli_shader_print_table(const struct cli_shader_file *file);
+/// Return false for a block that ends with an array without length.
+bool cli_shader_has_length(const struct rhw_shader_type *type);
 void cli_shader_print_json(const struct cli_shader_file *files, int count);
 
 // shader_run.c. Report what the command line lacks to run such shaders.

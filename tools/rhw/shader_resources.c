@@ -76,13 +76,6 @@ static void set_members(const struct rhw_shader_type *type, const struct cli_sha
     }
 }
 
-static bool has_length(const struct rhw_shader_type *type)
-{
-    const struct rhw_shader_type *const last =
-        type && type->count > 0 ? type->members[type->count - 1].type : NULL;
-    return !last || last->kind != RHW_SHADER_ARRAY || last->count > 0;
-}
-
 static bool open_buffer(struct cli_shader_resource *resource, struct cli_shader_job *job)
 {
     const struct rhw_shader_resource *const what = resource->what;
@@ -92,7 +85,7 @@ static bool open_buffer(struct cli_shader_resource *resource, struct cli_shader_
         return cli_shader_values_read("--buffer", given->argument, given->value, &resource->memory,
                                       &resource->size);
     }
-    if (!has_length(what->type)) {
+    if (!cli_shader_has_length(what->type)) {
         cli_error("--run", "buffer %u:%u has no length of its own; --buffer %u:%u=BYTES gives it one",
                   (unsigned)what->set, (unsigned)what->binding, (unsigned)what->set, (unsigned)what->binding);
         return false;

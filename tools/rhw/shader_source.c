@@ -132,11 +132,12 @@ static bool compile(struct cli_shader_file *file, const char *text, size_t size,
     } else {
         report(message, (int)strlen(message), file->path);
     }
+    const bool is_good = compiled && (!job->is_strict || code.log[0] == 0);
     file->words = code.words;
     file->size = code.size;
     code.words = NULL;
     glsl_code_free(&code);
-    return compiled;
+    return is_good;
 }
 
 static bool has_ending(const char *path, const char *ending)

@@ -16,6 +16,7 @@ enum {
     OPTION_AFTER,
     OPTION_JSON,
     OPTION_ALL_ERRORS,
+    OPTION_STRICT,
     OPTION_ENTRY,
     OPTION_CONSTANT,
     OPTION_RELAXED,
@@ -44,6 +45,7 @@ static const struct cli_option options[] = {
     {"after", OPTION_AFTER, "STEP", "with --print ir, the form behind build or passes; default passes"},
     {"json", OPTION_JSON, NULL, "print info as JSON"},
     {"all-errors", OPTION_ALL_ERRORS, NULL, "print every error of the compiler, not the first alone"},
+    {"strict", OPTION_STRICT, NULL, "fail where the compiler warns"},
     {"entry", OPTION_ENTRY, "NAME", "entry point; default main, or the first of a module"},
     {"define", OPTION_DEFINE, "MACRO", "define a macro of GLSL: NAME, or NAME=VALUE"},
     {"include", OPTION_INCLUDE, "DIR", "where #include looks, behind the folder of the file"},
@@ -237,6 +239,7 @@ static bool parse_option(struct cli_shader_job *job, int id, char *argument)
         return choice >= 0;
     case OPTION_JSON: job->json = true; return true;
     case OPTION_ALL_ERRORS: job->all_errors = true; return true;
+    case OPTION_STRICT: job->is_strict = true; return true;
     case OPTION_RELAXED: job->is_relaxed = true; return true;
     case OPTION_ENTRY: job->entry_point = argument; return true;
     case OPTION_DEFINE: return parse_define(job, argument);

@@ -202,6 +202,7 @@ complete -c rhw -n "$seen" -l print -x -a 'info spirv ir bytecode' -d 'print inf
 complete -c rhw -n "$seen" -l after -x -a 'build passes' -d 'with --print ir, the form behind build or passes'
 complete -c rhw -n "$seen" -l json -d 'print info as JSON'
 complete -c rhw -n "$seen" -l all-errors -d 'print every error of the compiler, not the first alone'
+complete -c rhw -n "$seen" -l strict -d 'fail where the compiler warns'
 complete -c rhw -n "$seen" -l entry -x -d 'entry point'
 complete -c rhw -n "$seen" -s D -l define -x -d 'define a macro of GLSL'
 complete -c rhw -n "$seen" -s I -l include -r -F -d 'where #include looks, behind the folder of the file'
