@@ -74,7 +74,7 @@ succeed shader double.comp --run --buffer 0:1=f32:1,2,3,4.5 --buffer 0:2=20 --pu
 check "numbers" test "$(cat "$folder/log/out")" = "2.25,4.25,6.25,9.25,0.25"
 succeed shader double.spv --run --buffer 0:1=f32:1,2,3,4.5 --buffer 0:2=20 --result 0:2=f32 --constant 3=3 --constant 4=10
 check "constants" test "$(cat "$folder/log/out")" = "13,16,19,23.5,10"
-succeed shader double.comp --run --buffer 0:1=f32:1 --buffer 0:2=8 --result 0:2=sink.bin --result 0:2=u32
+succeed shader double.spv --run --buffer Source=f32:1 --buffer Sink=8 --result Sink=sink.bin --result 0:2=u32
 check "bits" test "$(cat "$folder/log/out")" = "1073741824,0"
 check "a file" test "$(od -A n -t f4 sink.bin | tr -d ' ')" = 20
 succeed shader double.comp --run --buffer 0:1=sink.bin --buffer 0:2=80 --result 0:2=f32 --groups 2
@@ -98,7 +98,7 @@ void main()
 }
 GLSL
 printf 'P6 2 2 255\n\310\000\000\000\310\000\000\000\310\310\310\310' >four.ppm
-succeed shader paint.frag -D TONE=0.5 -I library --run --size 2x2 --time 0 --texture 0:0=four.ppm -o paint.png
+succeed shader paint.frag -D TONE=0.5 -I library --run --size 2x2 --time 0 --texture picture=four.ppm -o paint.png
 printf 'P6 2 2 255\n\000\000\000\000\144\000\000\000\000\144\144\144' >want.ppm
 succeed compare paint.png want.ppm
 no_temporary_files
@@ -157,8 +157,10 @@ refuse 1 "kernel.spv: word 5, OpCapability: capability 6 is not supported" shade
 refuse 1 "double.spv: the module has no compute entry point \"other\"|double.spv: the module has no .* entry point" shader double.spv --entry other
 succeed shader flat.frag -o red.spv
 refuse 1 "--run: buffer 0:1 has no length of its own; --buffer 0:1=BYTES" shader double.spv --run --result 0:2=f32
-refuse 1 "--buffer: '0:7=4': no shader here uses a buffer 0:7" shader double.spv --run --buffer 0:7=4 --buffer 0:1=4 \
+refuse 1 "--buffer: '0:7=4': no shader here uses such a buffer" shader double.spv --run --buffer 0:7=4 --buffer 0:1=4 \
     --buffer 0:2=4 --result 0:2=f32
+refuse 1 "--texture: 'Sink=four.ppm': no shader here uses such a texture" shader double.spv --run --buffer 0:1=4 \
+    --buffer 0:2=4 --texture Sink=four.ppm --result 0:2=f32
 refuse 1 "--constant: '9=1': double.spv has no constant 9" shader double.spv --constant 9=1
 refuse 1 "--constant: '4=0.5': constant 4 of double.spv is a whole number" shader double.spv --constant 4=0.5
 refuse 1 "--push: no shader here has push constants" shader red.spv --run --push u32:1 -o a.png
@@ -180,7 +182,7 @@ refuse 2 "--after: goes with --print ir alone" shader red.frag --after build
 refuse 2 "--time: goes with --run alone" shader red.frag --time 1
 refuse 2 "--run: prints results alone" shader double.spv --run --json --result 0:2=f32
 refuse 2 "--constant: '3' is not ID=NUMBER" shader double.comp --constant 3
-refuse 2 "--buffer: '1=4' is not SET:BINDING=VALUE, with a SET of 0 to 7" shader double.spv --run --buffer 1=4
+refuse 2 "--buffer: '1=4' is not SET:BINDING=VALUE, with a SET of 0 to 7, and not NAME=VALUE" shader double.spv --run --buffer 1=4
 refuse 2 "--result: '8:1=f32' is not SET:BINDING=VALUE" shader double.spv --run --result 8:1=f32
 refuse 2 "--groups: '1,2,3,4' is not X,Y,Z, each 0 to 65535" shader double.spv --run --groups 1,2,3,4
 refuse 2 "--threads: '0' is not a number of 1 to 64" shader red.frag --run --threads 0

@@ -20,10 +20,11 @@ enum cli_shader_print {
     CLI_SHADER_BYTECODE
 };
 
-/// What an option says about a binding, "SET:BINDING=VALUE".
+/// What an option says about a resource, "SET:BINDING=VALUE" or "NAME=VALUE".
 struct cli_shader_binding {
     const char *option;   ///< for messages, "--buffer"
     const char *argument; ///< as it was given
+    char name[64];        ///< "" where there are numbers
     uint32_t set, binding;
     const char *value;
     bool is_used;
@@ -98,6 +99,10 @@ void cli_shader_print_table(const struct cli_shader_file *file);
 /// Return false for a block that ends with an array without length.
 bool cli_shader_has_length(const struct rhw_shader_type *type);
 void cli_shader_print_json(const struct cli_shader_file *files, int count);
+
+/// Return whether an option is about a resource.
+bool cli_shader_binding_is(const struct cli_shader_binding *binding,
+                           const struct rhw_shader_resource *resource);
 
 // shader_run.c. Report what the command line lacks to run such shaders.
 bool cli_shader_check_run(const struct cli_shader_job *job, const struct cli_shader_file *files, int count);

@@ -14,13 +14,20 @@
 
 // Options --------------------------------------------------------------------------------------------
 
+bool cli_shader_binding_is(const struct cli_shader_binding *binding,
+                           const struct rhw_shader_resource *resource)
+{
+    return binding->name[0] ? strcmp(binding->name, resource->name) == 0
+                            : binding->set == resource->set && binding->binding == resource->binding;
+}
+
 static struct cli_shader_binding *find_binding(struct cli_shader_bindings *bindings,
                                                const struct rhw_shader_resource *what)
 {
     struct cli_shader_binding *found = NULL;
     for (int i = 0; i < bindings->count; i++) {
         struct cli_shader_binding *const one = &bindings->list[i];
-        if (one->set == what->set && one->binding == what->binding) {
+        if (cli_shader_binding_is(one, what)) {
             one->is_used = true;
             found = one;
         }
@@ -33,8 +40,7 @@ static bool check_used(const struct cli_shader_bindings *bindings, const char *k
     for (int i = 0; i < bindings->count; i++) {
         const struct cli_shader_binding *const one = &bindings->list[i];
         if (!one->is_used) {
-            cli_error(one->option, "'%s': no shader here uses a %s %u:%u", one->argument, kind,
-                      (unsigned)one->set, (unsigned)one->binding);
+            cli_error(one->option, "'%s': no shader here uses such a %s", one->argument, kind);
             return false;
         }
     }
@@ -381,8 +387,7 @@ bool cli_shader_resources_give(const struct cli_shader_resources *resources, con
     for (int i = 0; i < job->results.count; i++) {
         const struct cli_shader_binding *const asked = &job->results.list[i];
         for (int r = 0; r < resources->count; r++) {
-            const struct rhw_shader_resource *const what = resources->list[r].what;
-            if (what->set == asked->set && what->binding == asked->binding &&
+            if (cli_shader_binding_is(asked, resources->list[r].what) &&
                 !give(resources, &resources->list[r], asked)) {
                 return false;
             }

@@ -59,7 +59,8 @@ static const struct cli_option options[] = {
     {"size", OPTION_SIZE, "WxH", "pixels of the picture, or N for a square; default 512x512"},
     {"time", OPTION_TIME, "SECONDS", "what iTime has; default 0"},
     {"mouse", OPTION_MOUSE, "X,Y", "what iMouse has, in pixels from the top left; default 0,0"},
-    {"texture", OPTION_TEXTURE, "BINDING", "picture of a texture: SET:BINDING=FILE, 0:1=wood.png"},
+    {"texture", OPTION_TEXTURE, "BINDING",
+     "picture of a texture: SET:BINDING=FILE or NAME=FILE, 0:1=wood.png"},
     {"groups", OPTION_GROUPS, "X,Y,Z", "workgroups of a compute shader; default 1,1,1"},
     {"buffer", OPTION_BUFFER, "BINDING",
      "what a buffer holds at first: SET:BINDING=FILE, =BYTES of zeros,\nor =f32:, =i32: or =u32: and "
@@ -67,8 +68,8 @@ static const struct cli_option options[] = {
      "0:1=f32:1,2.5"},
     {"push", OPTION_PUSH, "VALUES", "push constants: a file, or numbers as of --buffer"},
     {"result", OPTION_RESULT, "BINDING",
-     "what to do with a buffer at the end: SET:BINDING=FILE writes it,\n=f32, =i32 or =u32 prints it; of an "
-     "image, =FILE.png"},
+     "what to do with a buffer at the end: SET:BINDING or NAME, and\n=FILE writes it, =f32, =i32 or =u32 "
+     "prints it; of an image, =FILE.png"},
     {"threads", OPTION_THREADS, "N", "threads that draw, 1 to 64; default: all there are"},
     {"max-memory", CLI_BUDGET_MEMORY, "SIZE", "fail when it needs more than this; default: no limit"},
     {"max-time", CLI_BUDGET_TIME, "SECONDS", "fail when it takes longer, 0.1..86400; default 300"},
@@ -155,16 +156,27 @@ static bool parse_binding(struct cli_shader_bindings *bindings, const char *opti
     if (!has_room(option, bindings->count)) {
         return false;
     }
-    unsigned set, binding;
+    struct cli_shader_binding binding = {.option = option, .argument = argument};
+    unsigned set, number;
     int length = 0;
-    if (sscanf(argument, "%3u:%9u=%n", &set, &binding, &length) != 2 || length == 0 ||
-        argument[length] == 0 || set >= RHW_SHADER_MAX_SETS) {
-        cli_error(option, "'%s' is not SET:BINDING=VALUE, with a SET of 0 to %d, as in 0:1=%s", argument,
-                  RHW_SHADER_MAX_SETS - 1, strcmp(option, "--result") == 0 ? "f32" : "FILE");
+    const size_t name = strcspn(argument, "=");
+    const bool has_numbers = argument[0] >= '0' && argument[0] <= '9';
+    if (has_numbers && sscanf(argument, "%3u:%9u%n", &set, &number, &length) == 2 && (size_t)length == name &&
+        set < RHW_SHADER_MAX_SETS) {
+        binding.set = set;
+        binding.binding = number;
+    } else if (!has_numbers && name > 0 && name < sizeof binding.name) {
+        memcpy(binding.name, argument, name);
+    } else {
+        length = -1;
+    }
+    if (length < 0 || argument[name] == 0 || argument[name + 1] == 0) {
+        cli_error(option, "'%s' is not SET:BINDING=VALUE, with a SET of 0 to %d, and not NAME=VALUE",
+                  argument, RHW_SHADER_MAX_SETS - 1);
         return false;
     }
-    bindings->list[bindings->count++] = (struct cli_shader_binding){
-        .option = option, .argument = argument, .set = set, .binding = binding, .value = argument + length};
+    binding.value = argument + name + 1;
+    bindings->list[bindings->count++] = binding;
     return true;
 }
 
