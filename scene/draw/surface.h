@@ -9,6 +9,7 @@
 #include "upload.h"
 
 struct scene_lighting;
+struct scene_program_draws;
 
 /// A pass of PEELED draws blended surfaces without blending, of each pixel the farthest that is nearer than `peeled`. A
 /// pass of GLASS draws surfaces that light passes through in the same way, and one of BLENDED draws blended surfaces.
@@ -30,6 +31,7 @@ struct scene_surface_pass {
     const struct scene_triangle_order *order; ///< order of the triangles of blended surfaces; NULL: the model's
     struct scene_draw_log *log;               ///< gets what each draw draws; NULL: nothing does
     bool guide; ///< a data pass of scene_guide: distances, and the normals of mesh and facets
+    const struct scene_program_draws *program; ///< shades triangles instead of their materials; NULL: none does
     enum rhw_qualifier interpolate;
     enum scene_wireframe wireframe;
     enum rhw_format formats[RHW_MAX_COLOR_ATTACHMENTS];
@@ -57,7 +59,8 @@ struct scene_surface_key {
     int32_t position_number; // 1 + that of its varying
     int32_t position_derivatives;
     int32_t interpolate, uses, cull, front, blend, peel, ground;
-    int32_t counts; // adds to the target, whatever is nearer
+    int32_t counts;          // adds to the target, whatever is nearer
+    int32_t program, absent; // the caller's own shades it; bits of the attributes that the mesh lacks
     int32_t format_count, formats[RHW_MAX_COLOR_ATTACHMENTS];
 };
 
