@@ -97,10 +97,10 @@ bool scene_program_lay_out(const struct scene_upload *upload, const struct scene
         return false;
     }
     const struct scene_texture_slot *const base = base_color_of(material);
-    const int own[SCENE_PROGRAM_ATTRIBUTES] = {
-        [SCENE_PROGRAM_NORMAL] = mesh->normal,
-        [SCENE_PROGRAM_UV] = mesh->uv[base->image >= 0 ? base->uv_set : 0],
-        [SCENE_PROGRAM_COLOR] = mesh->color};
+    const int own[SCENE_PROGRAM_ATTRIBUTES] = {[SCENE_PROGRAM_NORMAL] = mesh->normal,
+                                               [SCENE_PROGRAM_UV] =
+                                                   mesh->uv[base->image >= 0 ? base->uv_set : 0],
+                                               [SCENE_PROGRAM_COLOR] = mesh->color};
     key->program = 1;
     key->fragment = SCENE_FRAGMENT_NONE;
     key->varying_count = key->stream_count = 0;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// A program of the caller's own that shades triangles instead of their materials, in colours. It finds what is here where
-// programs of rhw/spirv.h find theirs: attributes by location, a uniform block and a texture in set 0, and push
-// constants. Lines, points, the ground and what light passes through keep the shaders of this folder; shadows, occlusion
-// and data do not ask the program.
+// A program of the caller's own that shades triangles instead of their materials, in colours. It finds what is here
+// where programs of rhw/spirv.h find theirs: attributes by location, a uniform block and a texture in set 0, and push
+// constants. Lines, points, the ground and what light passes through keep the shaders of this folder. Shadows,
+// occlusion and data do not ask the program.
 #ifndef SCENE_MATERIAL_PROGRAM_H
 #define SCENE_MATERIAL_PROGRAM_H
 
@@ -27,7 +27,7 @@ enum scene_program_binding {
 /// The uniform block, as std140 has it.
 struct scene_program_block {
     float camera[4];      ///< where the eye is, and 1; without perspective the unit direction to it, and 0
-    float light[4];       ///< where the first light is, and 1; of a directional light the unit direction to it, and 0
+    float light[4];       ///< where the first light is, and 1; or the unit direction to it, and 0
     float light_color[3]; ///< 0, 0, 0 without a light
     float alpha_cutoff;   ///< fragments of less alpha are holes; 0: none is
     float base_color[4], emissive[3];
@@ -42,8 +42,8 @@ struct scene_program_place {
 
 /// What draws with a program have in memory, kept from draw to draw. Zeroed: nothing.
 struct scene_program_draws {
-    const struct rhw_program *program; ///< of the view under way; NULL: none
-    struct scene_program_item *items;  ///< of the instances
+    const struct rhw_program *program; ///< the program of the view under way, or NULL
+    struct scene_program_item *items;  ///< what each instance has
     uint32_t count;
     rhw_buffer defaults; ///< attributes that a mesh lacks
     rhw_texture white;

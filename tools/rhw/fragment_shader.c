@@ -28,7 +28,8 @@ const char cli_fragment_shader_template[] =
     "};\n"
     "layout(set = 0, binding = 1) uniform sampler2D base_color_texture; // white where there is none\n"
     "\n"
-    "layout(location = 0) out vec4 color; // linear, as a screen shows it; alpha counts where the material blends\n"
+    "layout(location = 0) out vec4 color; // linear, as a screen shows it; alpha counts where the material "
+    "blends\n"
     "\n"
     "void main()\n"
     "{\n"
@@ -89,10 +90,8 @@ static rhw_shader_program *link_shader(const char *path, const rhw_shader *fragm
     enum rhw_result result =
         rhw_shader_create(vertex_words, sizeof vertex_words, &vertex_def, &vertex, message);
     if (result == RHW_OK) {
-        const struct rhw_shader_program_def def = {.vertex = vertex,
-                                                   .fragment = fragment,
-                                                   .layout = layout,
-                                                   .layout_count = SCENE_PROGRAM_BINDINGS};
+        const struct rhw_shader_program_def def = {
+            .vertex = vertex, .fragment = fragment, .layout = layout, .layout_count = SCENE_PROGRAM_BINDINGS};
         result = rhw_shader_program_create(&def, &program, message);
     }
     rhw_shader_destroy(vertex);
