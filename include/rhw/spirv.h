@@ -105,8 +105,8 @@ struct rhw_shader_type {
     uint32_t stride; ///< bytes from column to column or row to row of a matrix, or from element to element
     uint32_t count;  ///< members of a struct, or elements of an array; 0: as many as the buffer has room for
     uint32_t size;   ///< bytes up to the last; without elements of an array that has no length
-    const struct rhw_shader_type *element;   ///< type of the elements, if this is an array
-    const struct rhw_shader_member *members; ///< if this is a struct
+    const struct rhw_shader_type *element;   ///< type of an array's elements, or NULL
+    const struct rhw_shader_member *members; ///< members of a struct, or NULL
     const char *name;                        ///< name of a struct in the module, or ""
 };
 

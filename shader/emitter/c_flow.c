@@ -45,6 +45,9 @@ static void write_set(struct shader_emitter *emitter, const struct shader_node *
     const uint32_t home = node->operands[0];
     const bool is_float = emitter->plan.is_float[home];
     const char *const name = shader_c_name(emitter, home);
+    if (shader_c_resource(emitter, home) != home) {
+        return; // a binding that is named once serves everywhere
+    }
     const char *const value = shader_c_argument(emitter, node->operands[1], is_float);
     // Where lanes go one way, those that are not active never read the home again.
     if (emitter->divergence == 0 || (emitter->form->nodes[home].flags & SHADER_UNIFORM)) {

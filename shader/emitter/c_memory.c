@@ -169,10 +169,11 @@ bool shader_c_is_one_binding(const struct shader_emitter *emitter, uint32_t buff
     return emitter->plan.is_hoisted[buffer];
 }
 
-// Return the element that lanes name, of which each has its own.
+// Return the element that lanes name.
 static const char *element_of(struct shader_emitter *emitter, uint32_t buffer)
 {
-    return shader_c_argument(emitter, buffer, false);
+    return shader_c_argument(
+        emitter, emitter->plan.is_hoisted[buffer] ? emitter->form->nodes[buffer].operands[0] : buffer, false);
 }
 
 static const char *element_text(struct shader_emitter *emitter, uint32_t buffer, const char *element)

@@ -23,7 +23,7 @@ struct shader_source_lines {
     uint32_t mark_count;
     struct source_text *texts;
     uint32_t text_count;
-    uint32_t file, line; // that were printed last
+    uint32_t file, line; // what was printed last
 };
 
 static bool ends_block(uint32_t opcode)
