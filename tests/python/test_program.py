@@ -272,6 +272,8 @@ layout(location = 0) out vec4 color; void main() { color = texture(image, vec2(0
     (lambda: one({"position": CORNERS}, [[0, 1, 3]]), ValueError, "faces: must lie between 0 and 2"),
     (lambda: one({"position": CORNERS}, instances=0), ValueError, "instances: must lie between 1 and"),
     (lambda: one({"position": CORNERS}, matrix=np.eye(4)), ValueError, "matrix: a program takes it from values"),
+    (lambda: one({"position": CORNERS}, color=(1, 0, 0, 1)), ValueError, "color: a program takes it from values"),
+    (lambda: one({"position": CORNERS}, object=3), ValueError, "object: a program takes it from values"),
     (lambda: one({"position": CORNERS}, values={"time": 1}), ValueError, "values: the program has no 'time'; its values are none"),
     (lambda: one({"position": CORNERS}, values=3), TypeError, "values: must be a dictionary, not 3"),
     (lambda: one({"position": CORNERS}, of=sampling), ValueError, "image: missing"),
