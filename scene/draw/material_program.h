@@ -6,7 +6,7 @@
 #ifndef SCENE_MATERIAL_PROGRAM_H
 #define SCENE_MATERIAL_PROGRAM_H
 
-#include "surface.h"
+#include "surface_pass.h"
 
 /// Locations of the vertex shader. What a mesh lacks is a normal of 0, 0, 1, a place 0, 0 and a colour of 1, 1, 1, 1.
 enum scene_program_attribute {

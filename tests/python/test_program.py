@@ -3,6 +3,7 @@
 
 import gc
 import pathlib
+import signal
 
 import numpy as np
 import pytest
@@ -330,3 +331,19 @@ def test_nothing_is_computed_within_a_pass():
         with pytest.raises(ValueError, match="pass"):
             scaled()
     scaled()
+
+
+def test_a_shader_that_never_ends_is_given_up():
+    program = Program(compute="layout(binding = 0) buffer D { uint d[]; }; void main() { while (d[0] == 0u) { d[1] += 1u; } }")
+
+    def ring(*_):
+        raise TimeoutError
+
+    before = signal.signal(signal.SIGALRM, ring)
+    signal.setitimer(signal.ITIMER_REAL, 0.1)
+    try:
+        with pytest.raises(TimeoutError):
+            program.dispatch(1, {"D": np.zeros(2, np.uint32)})
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
+        signal.signal(signal.SIGALRM, before)
