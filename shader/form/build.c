@@ -9,7 +9,7 @@
 enum {
     CONSTANT_BUCKETS = 1024,
     MAX_LOOKED_AT = 32,  // constants of a bucket
-    MAX_EFFORT = 1 << 27 // words: a fraction of a second
+    MAX_EFFORT = 1 << 25 // words: a fraction of a second
 };
 
 // Instructions ---------------------------------------------------------------------------------------

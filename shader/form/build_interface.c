@@ -95,6 +95,12 @@ static void add_built_in(struct interface_walk *walk, const struct shader_type *
         }
         return;
     }
+    if (!is_output && shader_subgroup_built_in(builder, number, 0) != SHADER_NO_VALUE) {
+        for (uint32_t c = 0; c < type->scalars; c++) {
+            walk->scalars[walk->next++] = shader_subgroup_built_in(builder, number, c);
+        }
+        return;
+    }
     for (size_t i = 0; i < count; i++) {
         if ((int)table[i].number != number || (table[i].stages & stage_of(builder)) == 0) {
             continue;
@@ -156,6 +162,9 @@ void shader_build_interface_variable(struct shader_builder *builder, const struc
         return; // another entry point has it
     }
     const struct shader_type *const type = variable->type;
+    if (builder->entry->model == SPIRV_COMPUTE && (variable->storage == SPIRV_OUTPUT || variable->built_in < 0)) {
+        shader_build_refuse(builder, "compute has no outputs, and no inputs but built-in ones");
+    }
     struct interface_walk walk = {builder, variable, shader_new_scalars(builder, type), 0};
     if (variable->built_in >= 0) {
         add_built_in(&walk, type, variable->built_in);

@@ -44,7 +44,8 @@ static void mark_value(struct worklist *list, uint32_t value)
 // A derivative is one number for the whole quad, and an effect happens once.
 static bool may_differ(const struct shader_node *node)
 {
-    return node->op != SHADER_DDX && node->op != SHADER_DDY && node->op != SHADER_ATOMIC;
+    return node->op != SHADER_DDX && node->op != SHADER_DDY && node->op != SHADER_ATOMIC &&
+           node->op != SHADER_IMAGE_ATOMIC;
 }
 
 // Mark values that may be others at the partner pixel.

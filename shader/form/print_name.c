@@ -116,6 +116,7 @@ void shader_print_built_in(const struct shader_sink *sink, uint32_t number)
         {"gl_LocalInvocationID", SHADER_IN_LOCAL, 3},
         {"gl_GlobalInvocationID", SHADER_IN_GLOBAL, 3},
         {"gl_LocalInvocationIndex", SHADER_IN_LOCAL_INDEX, 1},
+        {"gl_SubgroupInvocationID", SHADER_IN_LANE, 1},
     };
     print_named(sink, names, sizeof names / sizeof *names, number);
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // See pairs.h.
 //
-// The product is computed where the sum is, which is right if its factors are what they were. Values stay; a HOME
-// changes by a SET. Both stand in a piece of code without structure, so that the same lanes are active.
+// The product is computed where the sum is. That is right where its factors are what they were: values stay, and a HOME
+// changes by a SET alone. Product and sum stand in one piece of code without structure, so the same lanes are active.
 #include "pairs.h"
 
 // What is known of values on the way through the code.

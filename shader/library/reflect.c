@@ -230,7 +230,7 @@ static const struct rhw_shader_variable *reflect_variables(rhw_shader *shader,
     return list.variables;
 }
 
-// The struct of push constants, where code reaches it.
+// Tell the block of push constants, where code reaches one.
 static void reflect_push_constants(rhw_shader *shader)
 {
     const struct shader_program *const form = shader->form;

@@ -138,7 +138,7 @@ enum rhw_result rhw_shader_create(const void *words, size_t size, const struct r
     }
     const bool is_short = made->memory.is_short;
     shader_say(message, "%s",
-               is_short ? "out of memory, or of what a translation may take" : made->memory.message);
+               is_short ? "out of memory" : made->memory.message);
     shader_release(made);
     return is_short ? RHW_ERROR_OUT_OF_MEMORY : RHW_ERROR_MISUSE;
 }

@@ -3,6 +3,7 @@
 #include "memory.h"
 
 #include <stdint.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -17,7 +18,7 @@ struct shader_block {
 void shader_memory_init(struct shader_memory *memory, size_t bound)
 {
     memory->blocks = NULL;
-    memory->left = bound;
+    memory->bound = memory->left = bound;
     memory->is_short = false;
     memory->message[0] = '\0';
 }
@@ -36,14 +37,21 @@ void shader_memory_end(struct shader_memory *memory)
     longjmp(memory->end, 1);
 }
 
+static _Noreturn void end_at_bound(struct shader_memory *memory)
+{
+    snprintf(memory->message, sizeof memory->message, "the translation takes more than %zu bytes of memory",
+             memory->bound);
+    shader_memory_end(memory);
+}
+
 static struct shader_block *add_block(struct shader_memory *memory, size_t least)
 {
     const size_t size = least > BLOCK_SIZE ? least : BLOCK_SIZE;
-    struct shader_block *block = NULL;
-    if (size <= memory->left) {
-        const size_t all = (sizeof *block + size + ALIGNMENT - 1) / ALIGNMENT * ALIGNMENT;
-        block = malloc(all);
+    if (size > memory->left) {
+        end_at_bound(memory);
     }
+    struct shader_block *const block =
+        malloc((sizeof *block + size + ALIGNMENT - 1) / ALIGNMENT * ALIGNMENT);
     if (!block) {
         memory->is_short = true;
         shader_memory_end(memory);
@@ -60,8 +68,7 @@ void *shader_take(struct shader_memory *memory, size_t count, size_t size)
 {
     struct shader_block *block = memory->blocks;
     if (size != 0 && count > (SIZE_MAX / 4) / size) {
-        memory->is_short = true;
-        shader_memory_end(memory);
+        end_at_bound(memory);
     }
     const size_t bytes = (count * size + ALIGNMENT - 1) / ALIGNMENT * ALIGNMENT;
     if (!block || block->size - block->used < bytes) {

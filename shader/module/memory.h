@@ -12,15 +12,15 @@ enum { SHADER_MESSAGE = 256 };
 
 struct shader_memory {
     struct shader_block *blocks;
-    size_t left; // bytes that may still be taken
-    bool is_short;
+    size_t bound, left; // bytes that may be taken, and that still may
+    bool is_short;      // the machine has no memory
     jmp_buf end; // where shader_memory_end goes
     char message[SHADER_MESSAGE];
 };
 
 void shader_memory_init(struct shader_memory *memory, size_t bound);
 void shader_memory_free(struct shader_memory *memory);
-// Return zeroed memory, or end the translation where there is none.
+// Return zeroed memory, or end the translation where the machine has none or the bound is reached.
 void *shader_take(struct shader_memory *memory, size_t count, size_t size);
 // Return a larger copy of an array of `*room` elements, and set `*room`.
 void *shader_grow(struct shader_memory *memory, const void *array, size_t *room, size_t size);

@@ -189,6 +189,47 @@ static void check_part(const struct operation *operation, const struct shader_ty
     }
 }
 
+static uint32_t operands_of(uint32_t opcode)
+{
+    switch (opcode) {
+    case SPIRV_OP_SConvert:
+    case SPIRV_OP_UConvert:
+    case SPIRV_OP_CopyObject:
+    case SPIRV_OP_SNegate:
+    case SPIRV_OP_Not:
+    case SPIRV_OP_LogicalNot: return 1;
+    case SPIRV_OP_Select: return 3;
+    default: return 2;
+    }
+}
+
+// Refuse an operation whose bools and numbers do not stand where it has them: a bool is −1 or 0.
+static void check_kinds(const struct operation *operation, uint32_t opcode, const struct shader_type *result)
+{
+    const bool is_logical = opcode >= SPIRV_OP_LogicalEqual && opcode <= SPIRV_OP_LogicalNot;
+    const bool is_comparison = opcode >= SPIRV_OP_IEqual && opcode <= SPIRV_OP_SLessThanEqual;
+    const bool is_bool = result->kind == SHADER_BOOL;
+    if (operation->count != operands_of(opcode)) {
+        shader_refuse(operation->module, operation->word, "Op%s has %u operands",
+                      shader_instruction_name(opcode), (unsigned)operands_of(opcode));
+    }
+    if (opcode != SPIRV_OP_Select && opcode != SPIRV_OP_CopyObject && is_bool != (is_logical || is_comparison)) {
+        shader_refuse(operation->module, operation->word, "Op%s gives %s", shader_instruction_name(opcode),
+                      is_bool ? "no bool" : "a bool");
+    }
+    for (uint32_t i = 0; i < operation->count; i++) {
+        const struct shader_type *const type = operand(operation, i)->type;
+        const bool is_one = (type->kind == SHADER_VECTOR ? type->element : type)->kind == SHADER_BOOL;
+        const bool asks = opcode == SPIRV_OP_Select && i == 0 ? true
+                          : is_comparison                     ? false
+                                                              : is_bool;
+        if (is_one != asks) {
+            shader_refuse(operation->module, operation->word, "operand %u is of a type that does not fit",
+                          (unsigned)i);
+        }
+    }
+}
+
 static void evaluate_operation(const struct operation *operation, uint32_t opcode, uint32_t *scalars)
 {
     const struct shader_type *const type = operation->type;
@@ -221,6 +262,7 @@ static void evaluate_operation(const struct operation *operation, uint32_t opcod
         return;
     }
     const struct shader_type *const scalar = type->kind == SHADER_VECTOR ? type->element : type;
+    check_kinds(operation, opcode, scalar);
     for (uint32_t i = 0; i < type->scalars; i++) {
         uint32_t v[3] = {0, 0, 0};
         for (uint32_t o = 0; o < operation->count && o < 3; o++) {

@@ -1,0 +1,282 @@
+// SPDX-License-Identifier: MIT
+// Modules that break a rule which the translation relies on, and modules that ask for more than there is: each is refused
+// with a message that tells which rule, and nothing else happens. The texts of asm/ are one rule each.
+#include <rhw/spirv.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "unit.h"
+
+struct assembled {
+    const char *name, *expected; // "refused: " and a part of the message, or "taken"
+    const uint32_t *words;
+    size_t size;
+};
+
+#include "assembled.h"
+
+static void expect(const char *name, const char *expected, const uint32_t *words, size_t size)
+{
+    static const char refused[] = "refused: ";
+    char message[RHW_SHADER_MESSAGE];
+    rhw_shader *shader;
+    const struct rhw_shader_def def = {.stage = RHW_SHADER_COMPUTE};
+    const enum rhw_result result = rhw_shader_create(words, size, &def, &shader, message);
+    const bool is_refused = strncmp(expected, refused, sizeof refused - 1) == 0;
+    if (result != (is_refused ? RHW_ERROR_MISUSE : RHW_OK)) {
+        fail_msg("%s: result %d with \"%s\", where it is to be %s", name, (int)result, message, expected);
+    }
+    if (is_refused && !strstr(message, expected + sizeof refused - 1)) {
+        fail_msg("%s: \"%s\", where it is to be %s", name, message, expected);
+    }
+    rhw_shader_destroy(shader);
+}
+
+static void test_broken_rules_are_named(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < sizeof assembled / sizeof *assembled; i++) {
+        expect(assembled[i].name, assembled[i].expected, assembled[i].words, assembled[i].size);
+    }
+}
+
+// Large modules --------------------------------------------------------------------------------------
+
+// A module that grows word by word.
+struct growing {
+    uint32_t *words;
+    size_t count, room;
+    uint32_t next_id;
+};
+
+static void put(struct growing *module, uint32_t word)
+{
+    if (module->count == module->room) {
+        module->room = module->room ? 2 * module->room : 1024;
+        module->words = realloc(module->words, module->room * sizeof(uint32_t));
+        assert_non_null(module->words);
+    }
+    module->words[module->count++] = word;
+}
+
+static void put_all(struct growing *module, const uint32_t *words, size_t count)
+{
+    for (size_t i = 0; i < count; i++) {
+        put(module, words[i]);
+    }
+}
+
+#define PUT(...) put_all(module, (const uint32_t[]){__VA_ARGS__}, sizeof((const uint32_t[]){__VA_ARGS__}) / 4)
+
+// Numbers of instructions, with how many words they have.
+enum {
+    CAPABILITY = 0x20011,
+    MEMORY_MODEL = 0x3000e,
+    ENTRY_POINT = 0x5000f,
+    EXECUTION_MODE = 0x60010,
+    DECORATE = 0x30047,
+    MEMBER_DECORATE = 0x40048,
+    DECORATION_GROUP = 0x20049,
+    GROUP_DECORATE = 0x3004a,
+    TYPE_VOID = 0x20013,
+    TYPE_BOOL = 0x20014,
+    TYPE_INT = 0x40015,
+    TYPE_ARRAY = 0x4001c,
+    TYPE_FUNCTION = 0x30021,
+    CONSTANT = 0x4002b,
+    UNDEF = 0x30001,
+    FUNCTION = 0x50036,
+    FUNCTION_END = 0x10038,
+    CALL = 0x40039,
+    LABEL = 0x200f8,
+    SELECTION_MERGE = 0x300f7,
+    BRANCH = 0x200f9,
+    SWITCH_OF_ONE = 0x500fb,
+    RETURN = 0x100fd
+};
+
+enum { MAIN = 1, VOID, MAIN_TYPE, UINT, ZERO, FREE };
+
+static void begin(struct growing *module)
+{
+    *module = (struct growing){.next_id = FREE};
+    PUT(0x07230203, 0x10300, 0, 0, 0);
+    PUT(CAPABILITY, 1, MEMORY_MODEL, 0, 1, ENTRY_POINT, 5, MAIN, 0x6e69616d, 0, EXECUTION_MODE, MAIN, 17, 8, 1, 1);
+}
+
+static void declare(struct growing *module)
+{
+    PUT(TYPE_VOID, VOID, TYPE_FUNCTION, MAIN_TYPE, VOID, TYPE_INT, UINT, 32, 0, CONSTANT, UINT, ZERO, 0);
+}
+
+static void begin_function(struct growing *module, uint32_t id)
+{
+    PUT(FUNCTION, VOID, id, 0, MAIN_TYPE, LABEL, module->next_id++);
+}
+
+static void end_function(struct growing *module)
+{
+    PUT(RETURN, FUNCTION_END);
+}
+
+static void finish(const char *name, const char *expected, struct growing *module)
+{
+    module->words[3] = module->next_id;
+    expect(name, expected, module->words, module->count * sizeof(uint32_t));
+    free(module->words);
+}
+
+// A block for each branch, behind one another: no depth of them may show on the stack.
+static void test_many_blocks(void **state)
+{
+    (void)state;
+    struct growing whole, *const module = &whole;
+    begin(module);
+    declare(module);
+    begin_function(module, MAIN);
+    for (int i = 0; i < 150000; i++) {
+        const uint32_t label = module->next_id++;
+        PUT(BRANCH, label, LABEL, label);
+    }
+    end_function(module);
+    finish("many blocks", "taken", module);
+}
+
+static void nest_switches(struct growing *module, uint32_t depth)
+{
+    begin(module);
+    declare(module);
+    begin_function(module, MAIN);
+    const uint32_t first = module->next_id;
+    module->next_id += 2 * depth;
+    for (uint32_t i = 0; i < depth; i++) {
+        PUT(SELECTION_MERGE, first + 2 * i, 0, SWITCH_OF_ONE, ZERO, first + 2 * i, 1, first + 2 * i + 1, LABEL,
+            first + 2 * i + 1);
+    }
+    for (uint32_t i = depth; i-- > 0;) {
+        PUT(BRANCH, first + 2 * i, LABEL, first + 2 * i);
+    }
+    end_function(module);
+}
+
+// A switch becomes three structures within each other.
+static void test_switches_within_each_other(void **state)
+{
+    (void)state;
+    struct growing module;
+    nest_switches(&module, RHW_SHADER_MAX_NESTING - 1);
+    finish("as deep as is allowed", "taken", &module);
+    nest_switches(&module, RHW_SHADER_MAX_NESTING);
+    finish("deeper", "refused: nested more than 128 deep", &module);
+    nest_switches(&module, 30000);
+    finish("much deeper", "refused: nested more than 128 deep", &module);
+}
+
+// Each function calls the next one twice.
+static void put_calls(struct growing *module, uint32_t depth, uint32_t nops)
+{
+    begin(module);
+    declare(module);
+    const uint32_t first = module->next_id;
+    module->next_id += depth;
+    for (uint32_t i = 0; i <= depth; i++) {
+        begin_function(module, i == 0 ? (uint32_t)MAIN : first + i - 1);
+        for (int k = 0; i < depth && k < 2; k++) {
+            PUT(CALL, VOID, module->next_id, first + i);
+            module->next_id++;
+        }
+        for (uint32_t n = 0; i == depth && n < nops; n++) {
+            PUT(0x10000);
+        }
+        end_function(module);
+    }
+}
+
+static void test_calls_that_double(void **state)
+{
+    (void)state;
+    struct growing module;
+    put_calls(&module, 60, 0);
+    finish("calls", "refused: more than 262144 operations", &module);
+    put_calls(&module, 16, 100000);
+    finish("calls of what does nothing", "refused: too many instructions", &module);
+}
+
+// Constants that fall into one bucket of any table that takes the upper bits of a product.
+static void test_constants_of_one_bucket(void **state)
+{
+    (void)state;
+    struct growing whole, *const module = &whole;
+    begin(module);
+    declare(module);
+    const uint32_t first = module->next_id;
+    for (uint32_t i = 0; i < 100000; i++) {
+        PUT(CONSTANT, UINT, module->next_id++, i * 0x0e8b2f51u); // times 2654435761 it is i
+    }
+    const uint32_t pointer = module->next_id++, variable = module->next_id++;
+    PUT(0x40020, pointer, 7, UINT);
+    begin_function(module, MAIN);
+    PUT(0x4003b, pointer, variable, 7);
+    for (uint32_t i = 0; i < 100000; i++) {
+        PUT(0x3003e, variable, first + i);
+    }
+    end_function(module);
+    finish("constants", "taken", module);
+}
+
+static void test_decorations_without_end(void **state)
+{
+    (void)state;
+    struct growing whole, *const module = &whole;
+    begin(module);
+    const uint32_t group = module->next_id++, target = module->next_id++;
+    for (int i = 0; i < 1000; i++) {
+        PUT(DECORATE, group, 24);
+    }
+    PUT(DECORATION_GROUP, group);
+    for (int i = 0; i < 5; i++) { // nearly as many as the module has words
+        PUT(GROUP_DECORATE, group, target);
+    }
+    for (int i = 0; i < 1000; i++) {
+        PUT(DECORATE, target, 24);
+    }
+    declare(module);
+    begin_function(module, MAIN);
+    end_function(module);
+    finish("decorations", "refused: too many decorations", module);
+}
+
+static void test_bounds_are_named(void **state)
+{
+    (void)state;
+    struct growing whole, *const module = &whole;
+    begin(module);
+    for (int i = 0; i < 256; i++) {
+        PUT(ENTRY_POINT, 5, MAIN, 0x6e69616d, 0);
+    }
+    finish("entry points", "refused: more than 256 entry points", module);
+    begin(module);
+    declare(module);
+    const uint32_t length = module->next_id++, array = module->next_id++;
+    PUT(CONSTANT, UINT, length, 16384, TYPE_ARRAY, array, UINT, length);
+    for (int i = 0; i < 5000; i++) {
+        PUT(UNDEF, array, module->next_id);
+        module->next_id++;
+    }
+    finish("memory", "refused: more than 268435456 bytes", module);
+    begin(module);
+    module->next_id = RHW_SHADER_MAX_IDS + 1;
+    finish("ids", "refused: bound of 1048577 ids", module);
+}
+
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_broken_rules_are_named),
+    cmocka_unit_test(test_many_blocks),
+    cmocka_unit_test(test_switches_within_each_other),
+    cmocka_unit_test(test_calls_that_double),
+    cmocka_unit_test(test_constants_of_one_bucket),
+    cmocka_unit_test(test_decorations_without_end),
+    cmocka_unit_test(test_bounds_are_named),
+};
+
+const struct unit_tests test_spirv_hostile = UNIT_TESTS(tests, NULL, NULL);
