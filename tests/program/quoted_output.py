@@ -55,8 +55,16 @@ def read_pixel(path, x, y):
     return tuple(above[x * size:x * size + 3])
 
 
+def knows_glsl(program, root):
+    asked = subprocess.run([program, "shader", "examples/disc.frag"], cwd=root, capture_output=True, encoding="utf-8")
+    return "built without glslang" not in asked.stderr
+
+
 def main(program, root, page, update=False):
     page = Path(page)
+    if not knows_glsl(program, root):
+        print("the program was built without glslang", file=sys.stderr)
+        return 77
     text = page.read_text(encoding="utf-8")
     wrong = []
     with tempfile.TemporaryDirectory() as folder:
