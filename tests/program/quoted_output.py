@@ -20,10 +20,11 @@ PIXEL = re.compile(r"pixel (\d+), (\d+) is (\d+), (\d+), (\d+)")
 
 
 def run(command, program, root, folder):
-    """What a command prints, as a reader has it in the root of the sources; -o and > write into `folder`."""
+    """What a command prints in the root of the sources, without spaces at the ends of lines; -o writes into `folder`."""
     command = re.sub(r"\bbuild/rhw\b", program, command)
     command = re.sub(r" -o (\S+)", lambda match: f" -o {folder}/{match.group(1)}", command)
-    return subprocess.run(command, shell=True, cwd=root, check=True, stdout=subprocess.PIPE, encoding="utf-8").stdout
+    printed = subprocess.run(command, shell=True, cwd=root, check=True, stdout=subprocess.PIPE, encoding="utf-8").stdout
+    return re.sub(r"[ \t]+$", "", printed, flags=re.M)
 
 
 def paeth(a, b, c):
