@@ -275,11 +275,52 @@ static bool may_stand_elsewhere(const struct shader_emitter *emitter, uint32_t p
     return true;
 }
 
+static const char *const scans[] = {
+    [SHADER_SCAN_FADD] = "FADD",         [SHADER_SCAN_FMUL] = "FMUL",
+    [SHADER_SCAN_FMIN] = "FMIN",         [SHADER_SCAN_FMAX] = "FMAX",
+    [SHADER_SCAN_IADD] = "IADD",         [SHADER_SCAN_IMUL] = "IMUL",
+    [SHADER_SCAN_MIN_INT] = "MIN_INT",   [SHADER_SCAN_MAX_INT] = "MAX_INT",
+    [SHADER_SCAN_MIN_UINT] = "MIN_UINT", [SHADER_SCAN_MAX_UINT] = "MAX_UINT",
+    [SHADER_SCAN_AND] = "AND",           [SHADER_SCAN_OR] = "OR",
+    [SHADER_SCAN_XOR] = "XOR",
+};
+
+// Operations among the lanes of a group.
+static bool write_subgroup(struct shader_emitter *emitter, uint32_t value)
+{
+    static const char *const reaches[] = {"ALL", "INCLUSIVE", "EXCLUSIVE"};
+    const struct shader_node *const node = &emitter->form->nodes[value];
+    const unsigned mask = emitter->mask, immediate = node->immediate;
+    const char *const first = shader_c_argument(emitter, node->operands[0], false);
+    const char *text;
+    switch ((enum shader_op)node->op) {
+    case SHADER_BALLOT:
+        text = shader_format(emitter->memory, "rhw_spirv_ballot(%s, m%u)", first, mask);
+        break;
+    case SHADER_SHUFFLE:
+        text = shader_format(emitter->memory, "rhw_spirv_shuffle(%s, %s, m%u)", first,
+                             shader_c_argument(emitter, node->operands[1], false), mask);
+        break;
+    case SHADER_SCAN:
+        text = shader_format(emitter->memory,
+                             "rhw_spirv_scan(RHW_SPIRV_SCAN_%s, RHW_SPIRV_REACH_%s, %d, %s, m%u)",
+                             scans[immediate & 15], reaches[immediate >> SHADER_SCAN_REACH_SHIFT & 3],
+                             1 << (immediate >> SHADER_SCAN_CLUSTER_SHIFT & 3), first, mask);
+        break;
+    default: return false;
+    }
+    shader_c_define(emitter, value, text, "");
+    return true;
+}
+
 void shader_c_write_value(struct shader_emitter *emitter, uint32_t place)
 {
     const uint32_t value = emitter->form->code[place];
     const struct shader_node *const node = &emitter->form->nodes[value];
     const enum shader_op op = (enum shader_op)node->op;
+    if (write_subgroup(emitter, value)) {
+        return;
+    }
     if (op != SHADER_COPY && op != SHADER_SELECT && !notations[op].text) {
         snprintf(emitter->memory->message, sizeof emitter->memory->message,
                  "the operation %s cannot be written as C", shader_op_name(op));
