@@ -15,7 +15,7 @@ enum shader_place_kind {
     SHADER_PLACE_PRIVATE,   // words of the lane
     SHADER_PLACE_TABLE,     // constants
     SHADER_PLACE_RESOURCE,  // an image or sampler
-    SHADER_PLACE_TEXEL      // of an image, for atomics
+    SHADER_PLACE_TEXEL      // a texel of an image, for atomics
 };
 
 // An index of an access that is known when the shader runs.
@@ -45,7 +45,7 @@ struct shader_place {
     uint32_t row_stride;                // bytes from row to row of a column of such a matrix; 0: 4
     uint32_t resource;                  // number in the program, of what is no element yet
     bool is_array_of_resources;
-    uint32_t coordinates[3]; // of TEXEL, whose image is `buffer`
+    uint32_t coordinates[3]; // where a TEXEL is in its image, `buffer`
     bool is_read_only;       // nothing is stored there
 };
 
@@ -117,7 +117,6 @@ struct shader_builder {
     uint32_t word;   // instruction that is being translated
     struct shader_frame *frame;
     struct shader_construct *constructs;
-    uint32_t *constant_buckets; // hash table of the program's constants
     uint32_t *output_homes;     // by enum shader_output, or SHADER_NO_VALUE
     unsigned second_target;     // what stands in the place of target 1 (build_interface.c)
 };

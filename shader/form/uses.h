@@ -15,5 +15,7 @@ struct shader_uses {
 // Find the uses of all values in the code. The readers of a home are those of what it holds. A SET reads its value
 // alone, and a STORE to a PRIVATE reads its offset and value.
 void shader_find_uses(const struct shader_program *program, struct shader_uses *uses);
+// Find the SETs and STOREs alone.
+void shader_find_sets(const struct shader_program *program, struct shader_uses *uses);
 
 #endif
