@@ -12,15 +12,22 @@ union vector {
     rhw_int i;
 };
 
+// Groups of a batch, from the first to before the last.
+struct group_range {
+    int first, end;
+};
+
 struct frame {
     union vector *registers;
     const struct shader_bytecode *bytecode;
     const struct rhw_shader_frame *bound;
     const struct rhw_bindings *bindings; // tells whether the program gives the work up
-    uint32_t rounds;                     // of loops
+    uint32_t rounds;                     // that loops have gone
     bool is_given_up;
     int groups;
-    struct rhw_vertex *vertices;               // groups of the batch, or NULL
+    struct group_range range;    // groups outside of it have no active lane, and arithmetic leaves them out
+    struct group_range *outer;   // behind the ranges that come back when structure ends
+    struct rhw_vertex *vertices; // groups of the batch, or NULL
     struct rhw_fragment *fragments;            // groups of the batch, or NULL
     const struct rhw_workgroup *workgroup;     // what a compute shader is called for, or NULL
     const struct rhw_invocations *invocations; // groups of the batch, where there is a workgroup

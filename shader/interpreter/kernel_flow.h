@@ -10,19 +10,39 @@ static union vector *fixed_register(struct frame *frame, int number)
     return &frame->registers[(uint32_t)number * frame->bytecode->batch];
 }
 
-static bool any_active(struct frame *frame)
+// Narrow the range to the first and the last group that has an active lane. Return false where no group has one; then
+// the range stays.
+static bool narrow_range(struct frame *frame)
 {
     const union vector *const active = fixed_register(frame, SHADER_ACTIVE);
-    rhw_int any = active[0].i;
-    for (int i = 1; i < frame->groups; i++) {
-        any |= active[i].i;
+    struct group_range range = frame->range;
+    while (range.first < range.end && !rhw_any(active[range.first].i)) {
+        range.first++;
     }
-    return rhw_any(any);
+    if (range.first == range.end) {
+        return false;
+    }
+    while (!rhw_any(active[range.end - 1].i)) {
+        range.end--;
+    }
+    frame->range = range;
+    return true;
+}
+
+// Keep the range of groups until the structure that begins now ends.
+static void push_range(struct frame *frame)
+{
+    *frame->outer++ = frame->range;
+}
+
+static void pop_range(struct frame *frame)
+{
+    frame->range = *--frame->outer;
 }
 
 static void jump_if_none(struct frame *frame, const struct shader_instruction *in)
 {
-    if (!any_active(frame)) {
+    if (!narrow_range(frame)) {
         frame->next = frame->bytecode->code + in->immediate;
     }
 }
@@ -32,7 +52,8 @@ static void run_IF(struct frame *frame, const struct shader_instruction *in)
     union vector *const active = fixed_register(frame, SHADER_ACTIVE),
                         *const saved = &frame->registers[in->result.vector];
     const union vector *const a = &frame->registers[in->a.vector];
-    for (int i = 0; i < frame->groups; i++) {
+    push_range(frame);
+    for (int i = frame->range.first; i < frame->range.end; i++) {
         saved[i].i = active[i].i;
         active[i].i &= a[in->a.is_uniform ? 0 : i].i;
     }
@@ -45,7 +66,8 @@ static void run_ELSE(struct frame *frame, const struct shader_instruction *in)
                                                                            frame, SHADER_ALIVE);
     const union vector *const saved = &frame->registers[in->result.vector],
                               *const a = &frame->registers[in->a.vector];
-    for (int i = 0; i < frame->groups; i++) {
+    frame->range = frame->outer[-1];
+    for (int i = frame->range.first; i < frame->range.end; i++) {
         active[i].i = saved[i].i & alive[i].i & ~a[in->a.is_uniform ? 0 : i].i;
     }
     jump_if_none(frame, in);
@@ -56,9 +78,11 @@ static void run_END_IF(struct frame *frame, const struct shader_instruction *in)
     union vector *const active = fixed_register(frame, SHADER_ACTIVE), *const alive = fixed_register(
                                                                            frame, SHADER_ALIVE);
     const union vector *const saved = &frame->registers[in->result.vector];
-    for (int i = 0; i < frame->groups; i++) {
+    pop_range(frame);
+    for (int i = frame->range.first; i < frame->range.end; i++) {
         active[i].i = saved[i].i & alive[i].i;
     }
+    (void)narrow_range(frame);
 }
 
 // REGION and LOOP: `saved` are the lanes that come in, `left` those that have left.
@@ -67,7 +91,8 @@ static void run_REGION(struct frame *frame, const struct shader_instruction *in)
     const union vector *const active = fixed_register(frame, SHADER_ACTIVE);
     union vector *const saved = &frame->registers[in->result.vector], *const left =
                                                                           &frame->registers[in->b.vector];
-    for (int i = 0; i < frame->groups; i++) {
+    push_range(frame);
+    for (int i = frame->range.first; i < frame->range.end; i++) {
         saved[i].i = active[i].i;
         left[i].i = rhw_splat_int(0);
     }
@@ -79,10 +104,12 @@ static void run_END_REGION(struct frame *frame, const struct shader_instruction 
                                                                            frame, SHADER_ALIVE);
     const union vector *const saved = &frame->registers[in->result.vector],
                               *const left = &frame->registers[in->b.vector];
-    for (int i = 0; i < frame->groups; i++) {
+    pop_range(frame);
+    for (int i = frame->range.first; i < frame->range.end; i++) {
         alive[i].i |= left[i].i;
         active[i].i = saved[i].i & alive[i].i;
     }
+    (void)narrow_range(frame);
 }
 
 // A loop may have no end, so the program is asked now and then whether somebody waits for it.
@@ -97,7 +124,7 @@ static bool is_given_up(struct frame *frame)
 
 static void run_END_LOOP(struct frame *frame, const struct shader_instruction *in)
 {
-    if (any_active(frame)) {
+    if (narrow_range(frame)) {
         const struct shader_bytecode *const bytecode = frame->bytecode;
         frame->next = bytecode->code + (is_given_up(frame) ? bytecode->code_count - 1 : in->immediate);
         return;
@@ -109,7 +136,7 @@ static void take_away(struct frame *frame, union vector *to)
 {
     union vector *const active = fixed_register(frame, SHADER_ACTIVE), *const alive = fixed_register(
                                                                            frame, SHADER_ALIVE);
-    for (int i = 0; i < frame->groups; i++) {
+    for (int i = frame->range.first; i < frame->range.end; i++) {
         to[i].i |= active[i].i;
         alive[i].i &= ~active[i].i;
         active[i].i = rhw_splat_int(0);
@@ -136,7 +163,7 @@ static void run_SET(struct frame *frame, const struct shader_instruction *in)
         d[0].i = a[0].i;
         return;
     }
-    for (int i = 0; i < frame->groups; i++) {
+    for (int i = frame->range.first; i < frame->range.end; i++) {
         d[i].i = rhw_select_int(active[i].i, a[in->a.is_uniform ? 0 : i].i, d[i].i);
     }
 }
