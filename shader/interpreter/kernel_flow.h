@@ -154,13 +154,24 @@ static void run_DISCARD(struct frame *frame, const struct shader_instruction *in
     take_away(frame, fixed_register(frame, SHADER_KILLED));
 }
 
+static bool any_active(struct frame *frame)
+{
+    const union vector *const active = fixed_register(frame, SHADER_ACTIVE);
+    bool any = false;
+    for (int i = frame->range.first; i < frame->range.end && !any; i++) {
+        any = rhw_any(active[i].i);
+    }
+    return any;
+}
+
+// Code behind a LEAVE is executed though no lane is active, so a register of all lanes changes where one is.
 static void run_SET(struct frame *frame, const struct shader_instruction *in)
 {
     const union vector *const active = fixed_register(frame, SHADER_ACTIVE),
                               *const a = &frame->registers[in->a.vector];
     union vector *const d = &frame->registers[in->result.vector];
     if (in->is_uniform) {
-        d[0].i = a[0].i;
+        d[0].i = any_active(frame) ? a[0].i : d[0].i;
         return;
     }
     for (int i = frame->range.first; i < frame->range.end; i++) {
