@@ -271,6 +271,9 @@ static void build_fetch(struct shader_builder *builder, enum shader_image_operat
     struct image_access access = begin_access(builder, 3, is_storage(image) ? SHADER_DO_LOAD : does);
     take_coordinates(builder, &access, shader_operand(builder, 4), false);
     take_operands(builder, &access, 5);
+    if (access.values[SHADER_IMAGE_LOD] == 0) { // level 0, which is that of a fetch without one
+        access.flags &= ~(uint32_t)SHADER_IMAGE_HAS_LOD;
+    }
     for (uint32_t i = 0; (access.flags & SHADER_IMAGE_HAS_OFFSET) && i < access.spatial; i++) {
         uint32_t *const at = &access.values[SHADER_IMAGE_COORDINATES + i];
         *at = shader_emit(builder, SHADER_IADD, *at, access.values[SHADER_IMAGE_OFFSET + i], 0);
