@@ -44,7 +44,8 @@ static void mark_value(struct worklist *list, uint32_t value)
 // A derivative is one number for the whole quad, and an effect happens once.
 static bool may_differ(const struct shader_node *node)
 {
-    return node->op != SHADER_DDX && node->op != SHADER_DDY && node->op != SHADER_ATOMIC;
+    return node->op != SHADER_DDX && node->op != SHADER_DDY && node->op != SHADER_ATOMIC &&
+           (node->flags & SHADER_PER_QUAD) == 0;
 }
 
 // Mark values that may be others at the partner pixel.
@@ -178,6 +179,7 @@ static void put_derivative(struct direction *direction, uint32_t value, uint32_t
     struct shader_node *const node = &program->nodes[value];
     if (program->nodes[operand].op == SHADER_INPUT) {
         *node = (struct shader_node){.op = (uint16_t)direction->analytic,
+                                     .flags = SHADER_PER_QUAD,
                                      .immediate = program->nodes[operand].immediate};
         put(direction, value);
         return;
@@ -189,7 +191,8 @@ static void put_derivative(struct direction *direction, uint32_t value, uint32_t
     }
     const uint32_t difference = add(direction, SHADER_FSUB, 0, there(direction, operand, nodes), operand);
     program->nodes[value] =
-        (struct shader_node){.op = SHADER_FMUL, .operands = {difference, direction->step, 0}};
+        (struct shader_node){
+        .op = SHADER_FMUL, .flags = SHADER_PER_QUAD, .operands = {difference, direction->step, 0}};
     put(direction, value);
 }
 
