@@ -53,8 +53,8 @@ graphics card, a display or a driver. Coverage is exact, and a scene gives the
 same bytes on every machine, whatever the number of threads and the
 instruction set.
 .
-This package has the static libraries, the headers and what CMake and pkg-config
-need.")
+This package has the static libraries, the headers and what CMake and
+pkg-config need.")
 if(RHW_PROGRAM)
   list(APPEND CPACK_COMPONENTS_ALL program)
   set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME rhw)

@@ -21,6 +21,14 @@
 /// file once per instruction set and defines RHW_ISA_SUFFIX as baseline, avx2 or avx512.
 #define RHW_ISA_NAME(name) RHW_ISA_EXPAND(name, RHW_ISA_SUFFIX)
 
+#define RHW_ISA_FIRST_baseline 1
+#define RHW_ISA_FIRST_avx2     0
+#define RHW_ISA_FIRST_avx512   0
+
+/// RHW_ISA_IS_FIRST is 1 in one of the copies, and 0 in the others. `#if RHW_ISA_IS_FIRST` encloses what a file defines
+/// once however often it is compiled.
+#define RHW_ISA_IS_FIRST RHW_ISA_EXPAND(RHW_ISA_FIRST, RHW_ISA_SUFFIX)
+
 #if defined(__x86_64__) && !defined(__ILP32__)
 
 /// RHW_ISA_DECLARE(type, name) declares every copy of the function or object `name`. `type` is rhw_vertex_function,

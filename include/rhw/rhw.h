@@ -52,7 +52,8 @@ RHW_API int rhw_context_threads(const rhw_context *context);
 /// or some thousand triangles, it calls it every 10 ms, or before each call of a shader function that takes longer. It
 /// calls it every 10 ms while it waits for other threads. If the function returns false, the calls of shader functions
 /// and the tasks outside of passes, of a workgroup or a megabyte each, that are under way are the last ones, and the
-/// call returns RHW_ERROR_GIVEN_UP. All that it wrote to then holds unspecified values, the queries of a pass have no
+/// call returns RHW_ERROR_GIVEN_UP. A shader function that takes long asks rhw_work_is_given_up; the loops of
+/// translated shaders (spirv.h) do. All that it wrote to then holds unspecified values, the queries of a pass have no
 /// result, and rhw_pass_end does not write the stats. rhw_pass_set_texture asks too, where a large texture is bound at
 /// first; the end of the pass then says that it was given up. `goes_on` must not call the library with the same
 /// context; that is misuse. A `goes_on` of NULL, as at first, lets all go on.

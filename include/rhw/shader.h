@@ -15,6 +15,12 @@
 /// the shader function returns that received them. rhw_sample and functions like it read them.
 struct rhw_bindings;
 
+/// Return true if the program gives up the work that is under way (rhw_context_set_goes_on). A function that may take
+/// long calls this now and then, and returns soon once it is true: what it has written is unspecified then. `bindings`
+/// is the member of the group that the function received. A call takes some nanoseconds. On the thread that called the
+/// library it asks the program, every 10 ms.
+RHW_API bool rhw_work_is_given_up(const struct rhw_bindings *bindings);
+
 #if RHW_HAS_LANES
 
 /// 8 vertices. The library owns what the pointers point to, and the pointers are valid until the function returns. The

@@ -170,9 +170,10 @@ RHW_API void rhw_image_load(const struct rhw_bindings *bindings, int slot, const
 RHW_API void rhw_image_store(const struct rhw_bindings *bindings, int slot, const rhw_int *at,
                              const rhw_int *mask, const rhw_float texel[4]);
 
-/// Do the operation of a request on texels of the formats R32_UINT and R32_SINT. request->index points to the
-/// coordinates that `at` is in the other functions. `before`, which may be NULL, is set to the texels as they were
-/// before. It is 0 outside of the image and for other formats, whose texels stay as they are.
+/// Do the operation of a request on texels of the formats R32_UINT and R32_SINT, or LOAD, STORE and EXCHANGE on those
+/// of R32_FLOAT. request->index points to the coordinates that `at` is in the other functions. `before`, which may be
+/// NULL, is set to the texels as they were before. It is 0 outside of the image and for other formats and operations,
+/// whose texels stay as they are.
 RHW_API void rhw_image_atomic(const struct rhw_bindings *bindings, int slot,
                               const struct rhw_storage_request *request, rhw_int *before);
 

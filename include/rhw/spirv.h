@@ -105,8 +105,8 @@ struct rhw_shader_type {
     uint32_t stride; ///< bytes from column to column or row to row of a matrix, or from element to element
     uint32_t count;  ///< members of a struct, or elements of an array; 0: as many as the buffer has room for
     uint32_t size;   ///< bytes up to the last; without elements of an array that has no length
-    const struct rhw_shader_type *element;   ///< of an array
-    const struct rhw_shader_member *members; ///< of a struct
+    const struct rhw_shader_type *element;   ///< type of an array's elements, or NULL
+    const struct rhw_shader_member *members; ///< members of a struct, or NULL
     const char *name;                        ///< name of a struct in the module, or ""
 };
 
@@ -147,7 +147,7 @@ struct rhw_shader_info {
         *outputs; ///< by location and component, built-in variables left out
     uint32_t input_count, output_count;
     uint32_t push_size;                      ///< bytes of the block of push constants; 0: none is used
-    const struct rhw_shader_type *push_type; ///< its struct, or NULL
+    const struct rhw_shader_type *push_type; ///< struct of the push constants; NULL if there are none
     uint32_t size[3];                        ///< invocations of a workgroup in each direction; of compute
     uint32_t shared_size;                    ///< bytes that they share
 };
@@ -192,6 +192,31 @@ RHW_API const struct rhw_compute_program *rhw_shader_program_get_compute(const r
 RHW_API int rhw_shader_program_find(const rhw_shader_program *program, uint32_t set, uint32_t binding);
 /// Return how many elements the array of a set has.
 RHW_API uint32_t rhw_shader_program_set_size(const rhw_shader_program *program, uint32_t set);
+
+// C --------------------------------------------------------------------------------------------------
+
+/// What a program written as C is called.
+struct rhw_shader_c_def {
+    const char *name;   ///< begins the names of all that it defines; an identifier of C
+    const char *source; ///< what it was made of, for the comment at its top; NULL says nothing
+};
+
+/// Write a program as C for rhw_add_shaders, which compiles it once per instruction set. It draws the same bytes as the
+/// interpreter, and needs librhw alone. The file defines
+///
+///     const struct rhw_program NAME_program;               // or const struct rhw_compute_program
+///     const struct rhw_shader_layout NAME_layout[COUNT];   // what the sets have, if they have something
+///
+/// and whoever uses them declares them. Uniforms and sets are those of the program. `*text` ends with a 0, and is freed
+/// by rhw_shader_free_text. Return RHW_ERROR_MISUSE, with one line as rhw_shader_create does, or
+/// RHW_ERROR_OUT_OF_MEMORY; *text is NULL then.
+RHW_API enum rhw_result rhw_shader_program_emit_c(const rhw_shader_program *program,
+                                                  const struct rhw_shader_c_def *def, char **text,
+                                                  char *message);
+/// Free a text, which may be NULL.
+RHW_API void rhw_shader_free_text(char *text);
+
+// Drawing --------------------------------------------------------------------------------------------
 
 /// What a draw or dispatch gives its shaders. The memory that it points to lives, unchanged, until the pass or the
 /// dispatch has run.

@@ -21,7 +21,7 @@ class Type(NamedTuple):
     columns: int
     is_row_major: bool
     stride: int
-    count: int
+    length: int
     size: int
     element: Any
     members: Tuple[Tuple[str, int, Any], ...]
@@ -46,7 +46,7 @@ def _leaf(kind: Type) -> Tuple[Type, List[int], List[int]]:
     extents: List[int] = []
     strides: List[int] = []
     while kind.kind == _ARRAY:
-        extents.append(kind.count)
+        extents.append(kind.length)
         strides.append(kind.stride)
         kind = Type(*kind.element)
     return kind, extents, strides
@@ -73,9 +73,9 @@ def write(kind: Type, value: Any, name: str, memory: NDArray[Any], offset: int) 
     if kind.is_struct:
         _write_struct(kind, value, name, memory, offset)
     elif leaf.is_struct:
-        parts = _arrays.listed(value, name, f"a list of {kind.count}")
-        if len(parts) != kind.count:
-            raise ValueError(f"{name}: must have {kind.count} elements, not {len(parts)}")
+        parts = _arrays.listed(value, name, f"a list of {kind.length}")
+        if len(parts) != kind.length:
+            raise ValueError(f"{name}: must have {kind.length} elements, not {len(parts)}")
         for i, part in enumerate(parts):
             write(Type(*kind.element), part, f"{name}[{i}]", memory, offset + i * kind.stride)
     else:

@@ -22,7 +22,6 @@ _PUSH = -1  # the place of the push constants among blocks
 
 #: A shader: GLSL, SPIR-V, or the path of a file with either.
 Source = Union[str, bytes, "os.PathLike[str]"]
-Name = Union[str, int]
 Key = Union[str, Tuple[int, int]]
 Values = Mapping[Key, Any]
 
@@ -48,8 +47,8 @@ class Variable(NamedTuple):
     is_integer: bool
 
     @property
-    def key(self) -> Name:
-        return self.name or self.location
+    def key(self) -> str:
+        return self.name or str(self.location)
 
 
 class Resource(NamedTuple):
@@ -57,7 +56,7 @@ class Resource(NamedTuple):
     kind: int
     set: int
     binding: int
-    count: int
+    length: int
     name: str
     size: int
     is_read_only: bool
@@ -85,8 +84,8 @@ class Program:
     A source is a text, bytes of SPIR-V, or a pathlib.Path of a file with either. A text without #version is GLSL 4.50.
     A vertex shader alone draws depth. gl_Position has y up and depth 0 to W, as Pipeline has them.
     constants: numbers by their constant_id.
-    inputs, outputs: names of what vertices have and of what fragments write, by location; a location where the module
-      has no name.
+    inputs, outputs: names of what vertices have and of what fragments write, by location; the number of the location
+      where the module has no name.
     values: names of what a draw or dispatch has to give: members of uniform blocks and of push constants, textures and
       storage buffers.
     """
@@ -98,14 +97,14 @@ class Program:
             raise ValueError("vertex: a program has a vertex shader, perhaps with a fragment shader, or a compute shader alone")
         modules = [None if source is None else _module(source, stage, name)
                    for stage, (source, name) in enumerate(zip(sources, _STAGES))]
-        self._program = _rhw.Program(*modules, _constants(constants))
+        self._program = _rhw.Program(modules[0], modules[1], modules[2], _constants(constants))
         stages = [(tuple(Variable(*each) for each in inputs), tuple(Variable(*each) for each in outputs), push)
                   for inputs, outputs, push in self._program.stages]
         self._inputs = stages[0][0] if vertex is not None else ()
         self._outputs = stages[1][1] if fragment is not None else ()
         self._is_compute = compute is not None
-        self.inputs: Tuple[Name, ...] = tuple(each.key for each in self._inputs)
-        self.outputs: Tuple[Name, ...] = tuple(each.key for each in self._outputs)
+        self.inputs: Tuple[str, ...] = tuple(each.key for each in self._inputs)
+        self.outputs: Tuple[str, ...] = tuple(each.key for each in self._outputs)
         self._resources: Dict[int, Resource] = {}
         self._blocks: Dict[int, List[_blocks.Type]] = {}
         self._names: Dict[Key, List[_Place]] = {}
@@ -133,7 +132,7 @@ class Program:
             self._resources[place] = known._replace(is_read_only=False)
         self._name((resource.set, resource.binding), _Place(place, -1))
         self._name(resource.name, _Place(place, -1))
-        if resource.kind == _UNIFORM_BUFFER and resource.count == 1:
+        if resource.kind == _UNIFORM_BUFFER and resource.length == 1:
             self._add_block(place, _blocks.Type(*resource.type), (resource.name,))
         elif resource.kind == _STORAGE_BUFFER:
             block = _blocks.Type(*resource.type)
@@ -155,6 +154,9 @@ class Program:
         for place, blocks in self._blocks.items():
             for block in blocks:
                 for member, _, _ in block.members:
+                    if not member:
+                        wanted[self._block_name(place, block)] = None
+                        continue
                     alone = len(self._names[member]) == 1
                     wanted[member if alone else f"{self._block_name(place, block)}.{member}"] = None
         for place, resource in self._resources.items():
@@ -163,8 +165,8 @@ class Program:
                 wanted[resource.key if alone else (resource.set, resource.binding)] = None
         return list(wanted)
 
-    def _block_name(self, place: int, block: _blocks.Type) -> str:
-        return block.name or ("push_constants" if place == _PUSH else self._resources[place].name)
+    def _block_name(self, place: int, block: _blocks.Type) -> Key:
+        return block.name or ("push_constants" if place == _PUSH else self._resources[place].key)
 
     def _find(self, key: Any) -> _Place:
         try:
@@ -206,9 +208,9 @@ class Program:
             if place not in whole:
                 raise ValueError(f"{_text(resource.key)}: missing")
             name, value = whole[place]
-            elements = [value] if resource.count == 1 else _arrays.listed(value, name, f"a list of {resource.count}")
-            if len(elements) != resource.count:
-                raise ValueError(f"{name}: must have {resource.count} elements, not {len(elements)}")
+            elements = [value] if resource.length == 1 else _arrays.listed(value, name, f"a list of {resource.length}")
+            if len(elements) != resource.length:
+                raise ValueError(f"{name}: must have {resource.length} elements, not {len(elements)}")
             for i, element in enumerate(elements):
                 bindings.append((place, i, *_bound(resource, element, name, context, targets)))
         return tuple(bindings), push
@@ -241,7 +243,7 @@ class Program:
                 continue
             for member, offset, kind in _blocks.members(block):
                 if offset not in parts:
-                    raise ValueError(f"{member or self._block_name(place, block)}: missing")
+                    raise ValueError(f"{member or _text(self._block_name(place, block))}: missing")
                 name, value = parts[offset]
                 _blocks.write(kind, value, name, memory, offset)
         return memory
@@ -277,7 +279,7 @@ def _module(source: Any, stage: int, name: str) -> bytes:
     if isinstance(source, str):
         if "\n" not in source and re.search(r"\.(vert|frag|comp|glsl|spv)$", source):
             raise TypeError(f"{name}: must be a text or a path; pathlib.Path({_arrays.text(source)}) is a path")
-        return _compiled(_arrays.name(source, name).encode(), stage, name, False)
+        return _compiled(_arrays.words(source, name).encode(), stage, name, False)
     if not isinstance(source, os.PathLike):
         raise TypeError(f"{name}: must be a text of GLSL, bytes of SPIR-V or a path, not {_arrays.text(source)}")
     path = _arrays.path(source, name)
@@ -290,7 +292,7 @@ def _module(source: Any, stage: int, name: str) -> bytes:
 
 
 def _compiled(text: bytes, stage: int, name: str, includes: bool) -> bytes:
-    if not _rhw.compiles():
+    if not _rhw.compiles:
         raise _rhw.Error(f"{_arrays.shown(name)}: this rhw was built without glslang, so it takes SPIR-V alone")
     words, message, log = _rhw.compile(stage, text, os.fsencode(name), includes)
     if words is None:

@@ -12,6 +12,8 @@
 Buffers and textures stand on memory that `.array` shows: what is written there is drawn, what is drawn can be read
 there. A pass is recorded between the beginning and the end of its `with`, and drawn at its end; from its beginning on
 what it uses is left alone. Where the block is left by an exception nothing is drawn.
+
+Program takes the place of the shaders of this module by your own, in GLSL or SPIR-V, for draws and for computing.
 """
 
 from __future__ import annotations
@@ -24,6 +26,10 @@ from numpy.typing import NDArray
 
 from . import _arrays, _rhw, _threads
 from ._arrays import Size
+from ._program import CompileError, Program, Values, Variable
+from ._resources import FORMATS, Buffer, Sampler, Texture
+
+__all__ = ["FORMATS", "OUTPUTS", "Buffer", "CompileError", "Pass", "Pipeline", "Program", "Sampler", "Texture"]
 
 #: Outputs in the order of the extension, and the format that a target of each usually has.
 OUTPUTS = {"color": "rgba8_srgb", "depth": "r32_float", "distance": "r32_float", "normal": "rgba32_float",
@@ -39,8 +45,8 @@ _INTERPOLATIONS = ("smooth", "noperspective", "flat")
 _FLOATS = {1: 0, 2: 1, 3: 2, 4: 3}
 _BYTES4 = 11
 
-
 Targets = Mapping[str, Texture]
+Outputs = Union[Mapping[str, Union[str, Texture]], Iterable[str]]
 
 
 class Pipeline:
@@ -58,16 +64,31 @@ class Pipeline:
     depth: what a fragment's must be, beside that of the target, to be drawn, 'less', 'greater', ...; None: no test.
     depth_write: whether it is kept then. blend: colours are laid over what is there by their alpha.
     interpolate: 'smooth', 'noperspective' or 'flat' (of each triangle's first vertex).
+    program: shaders of your own. `outputs` are then those of its fragment shader, in the order of their locations;
+      None: all of them, in rgba8_srgb, or r32_uint of whole numbers. positions, colors, uv, normals,
+      texture and interpolate are left out.
     """
 
-    def __init__(self, outputs: Union[Mapping[str, Union[str, Texture]], Iterable[str]] = ("color",), *,
+    def __init__(self, outputs: Optional[Outputs] = None, *,
                  positions: int = 3, colors: Optional[str] = None, uv: bool = False, normals: bool = False,
                  texture: bool = False, topology: str = "triangles", cull: str = "none", depth: Optional[str] = "less",
                  depth_write: bool = True, blend: bool = False, interpolate: str = "smooth",
-                 context: Optional[_rhw.Context] = None):
-        self.outputs = _formats_of(outputs, "outputs")
-        uv, normals, texture, depth_write, blend = (_arrays.flag(value, name) for value, name in (
-            (uv, "uv"), (normals, "normals"), (texture, "texture"), (depth_write, "depth_write"), (blend, "blend")))
+                 program: Optional[Program] = None, context: Optional[_rhw.Context] = None):
+        self.program = program
+        shape = _arrays.choice(topology, "topology", _TOPOLOGIES)
+        self._corners = {"triangles": 3, "lines": 2}.get(topology, 1)
+        self._context = _threads.chosen(context)
+        fixed = (shape, _arrays.choice(cull, "cull", _CULLS), depth is not None,
+                 0 if depth is None else _arrays.choice(depth, "depth", _COMPARES),
+                 _arrays.flag(depth_write, "depth_write"), _arrays.flag(blend, "blend"))
+        if program is not None:
+            if (positions, colors, uv, normals, texture, interpolate) != (3, None, False, False, False, "smooth"):
+                raise ValueError("program: says itself what positions, colors, uv, normals, texture and interpolate say")
+            self._use_program(program, outputs, fixed)
+            return
+        self.outputs: Dict[str, str] = _formats_of(("color",) if outputs is None else outputs, "outputs")
+        uv, normals, texture = (_arrays.flag(value, name) for value, name in (
+            (uv, "uv"), (normals, "normals"), (texture, "texture")))
         if not uv and (texture or "uv" in self.outputs):
             raise ValueError("uv: needed by " + ("texture" if texture else "the output uv"))
         if not normals and "normal" in self.outputs:
@@ -77,15 +98,21 @@ class Pipeline:
         #: What draws must give: columns and NumPy's type.
         self._attributes = _attributes(positions, colors, uv, normals)
         self._textured = texture
-        shape = _arrays.choice(topology, "topology", _TOPOLOGIES)
-        self._corners = {"triangles": 3, "lines": 2}.get(topology, 1)
-        self._context = _threads.chosen(context)
         names = tuple(OUTPUTS)
         self._resource = _rhw.pipeline(
             self._context, _kinds(self._attributes), texture, _arrays.choice(interpolate, "interpolate", _INTERPOLATIONS),
-            shape, _arrays.choice(cull, "cull", _CULLS), depth is not None,
-            0 if depth is None else _arrays.choice(depth, "depth", _COMPARES), depth_write, blend,
-            tuple((names.index(name), _rhw.formats[each]) for name, each in self.outputs.items()))
+            *fixed, tuple((names.index(name), _rhw.formats[each]) for name, each in self.outputs.items()))
+
+    def _use_program(self, program: Program, outputs: Optional[Outputs], fixed: Tuple[int, int, bool, int, bool, bool]) -> None:
+        if not isinstance(program, Program):
+            raise TypeError(f"program: must be a Program, not {_arrays.text(program)}")
+        if program._is_compute:
+            raise ValueError("program: computes; Program.dispatch runs it")
+        self.outputs = _formats_of_program(program, outputs)
+        self._attributes = {}
+        self._textured = False
+        self._resource = _rhw.program_pipeline(self._context, program._program, *fixed,
+                                               tuple(_rhw.formats[form] for form in self.outputs.values()))
 
 
 def _attributes(positions: Any, colors: Any, uv: bool, normals: bool) -> Dict[str, Tuple[int, Any]]:
@@ -109,13 +136,33 @@ def _kinds(attributes: Dict[str, Tuple[int, Any]]) -> Tuple[int, int, int, int]:
     return kind("positions"), kind("colors"), kind("uv"), kind("normals")
 
 
-def _formats_of(outputs: Any, argument: str) -> Dict[str, str]:
+def _pairs(outputs: Any, argument: str) -> List[Tuple[Any, Any]]:
     if isinstance(outputs, Mapping):
-        pairs = list(outputs.items())
-    else:
-        pairs = [(name, None) for name in ([outputs] if isinstance(outputs, str) else _arrays.listed(outputs, argument, "names"))]
+        return list(outputs.items())
+    return [(name, None) for name in ([outputs] if isinstance(outputs, str) else _arrays.listed(outputs, argument, "names"))]
+
+
+def _formats_of_program(program: Program, outputs: Any) -> Dict[str, str]:
+    pairs = _pairs(program.outputs if outputs is None else outputs, "outputs")
+    names = [name for name, _ in pairs]
+    if len(names) != len(program.outputs) or any(
+            not isinstance(name, str) or (one.name and name != one.name) for name, one in zip(names, program._outputs)):
+        wanted = ", ".join(program.outputs) or "none"
+        raise ValueError(f"outputs: must be those of the fragment shader by location, {wanted}, not {_arrays.text(names)}")
     found = {}
-    for name, wanted in pairs:
+    for (name, wanted), output in zip(pairs, program._outputs):
+        usual = "r32_uint" if output.is_integer else "rgba8_srgb"
+        form = wanted.format if isinstance(wanted, Texture) else usual if wanted is None else wanted
+        _arrays.choice(form, "outputs", tuple(FORMATS))
+        if (form == "r32_uint") != output.is_integer or form == "d32_float":
+            raise ValueError(f"outputs: {name} cannot be drawn into {form}")
+        found[name] = form
+    return found
+
+
+def _formats_of(outputs: Any, argument: str) -> Dict[str, str]:
+    found = {}
+    for name, wanted in _pairs(outputs, argument):
         _arrays.choice(name, argument, tuple(OUTPUTS))
         form = wanted.format if isinstance(wanted, Texture) else OUTPUTS[name] if wanted is None else wanted
         _arrays.choice(form, argument, tuple(FORMATS))
@@ -131,7 +178,8 @@ _Clear = Union[float, Sequence[float]]
 class Pass:
     """Draws into textures, as a context manager that is called for each draw.
 
-    targets: textures by the output that is drawn into them, in the order of the pipelines' outputs.
+    targets: textures by the output that is drawn into them, in the order of the pipelines' outputs; with programs, by the
+      names or locations of what their fragment shaders write.
     depth: True: one that nobody keeps; a texture of d32_float: that one; False: none.
     clear: by output, what a target is cleared to before: one number, or as many as it has channels, linear; 0. Of
       'depth_test': the depth, 1. What is not named is cleared too; load: True keeps what is there.
@@ -151,7 +199,11 @@ class Pass:
         _arrays.one_of(samples, "samples", (1, 2, 4, 8, 16))
         for name in clear:
             _arrays.choice(name, "clear", (*targets, "depth_test"))
-        self.formats = _formats_of(targets, "targets")
+        for name in targets:
+            if not isinstance(name, str):
+                raise TypeError(f"targets: must be named by texts, not {_arrays.text(name)}")
+        self.formats = {name: texture.format for name, texture in targets.items()}
+        self._targets = textures
         self.stats: Dict[str, int] = {}
         if not textures and size is None:
             raise ValueError("size: must be given where there are no targets")
@@ -188,10 +240,10 @@ class Pass:
             raise ValueError("the pass is recorded within its `with` alone")
         return self._pass
 
-    def __call__(self, pipeline: Pipeline, positions: Any, faces: Any = None, *, colors: Any = None, uv: Any = None,
-                 normals: Any = None, matrix: Any = None, world: Any = None, color: Sequence[float] = (1, 1, 1, 1),
-                 texture: Optional[Texture] = None, sampler: Optional[Sampler] = None, object: int = 1,
-                 first_triangle: int = 1) -> None:
+    def __call__(self, pipeline: Pipeline, positions: Any, faces: Any = None, values: Optional[Values] = None, *,
+                 colors: Any = None, uv: Any = None, normals: Any = None, matrix: Any = None, world: Any = None,
+                 color: Sequence[float] = (1, 1, 1, 1), texture: Optional[Texture] = None,
+                 sampler: Optional[Sampler] = None, object: int = 1, first_triangle: int = 1, instances: int = 1) -> None:
         """Records a draw.
 
         positions: (N, 3) or (N, 4) float32; colors: (N, 4) float32, or uint8 of 0 to 1 linear; uv: (N, 2) float32;
@@ -203,6 +255,13 @@ class Pass:
         None: positions are clip coordinates already.
         world: (4, 4), positions and normals to the world. color: (r, g, b, a), which multiplies.
         object: the number for the output `object`; first_triangle: that of the first triangle for `triangle`.
+
+        With a program, positions are all that its vertices have, arrays or Buffers by name, or how many vertices there
+        are where they have nothing; values are what it wants by name, or by (set, binding). Members of uniform blocks and
+        push constants are numbers, vectors and (rows, columns) matrices, structs are dictionaries; MEMBER, BLOCK.MEMBER
+        or a whole BLOCK. Textures are a Texture, an array (bytes are colours in sRGB), or either with a Sampler in a
+        tuple. Storage buffers are a Buffer, or an array whose memory the shader reads and writes in place, up to the end
+        of the pass. instances: how often all is drawn, for gl_InstanceIndex.
         """
         recorded = self._recorded()
         for value, name, kind in ((pipeline, "pipeline", Pipeline), (texture, "texture", Texture), (sampler, "sampler", Sampler)):
@@ -210,6 +269,16 @@ class Pass:
                 raise TypeError(f"{name}: must be a {kind.__name__}, not {_arrays.text(value)}")
         if self.formats != pipeline.outputs or list(self.formats) != list(pipeline.outputs):
             raise ValueError(f"pipeline: draws {pipeline.outputs}, the targets are {self.formats}")
+        others = {"colors": colors, "uv": uv, "normals": normals, "matrix": matrix, "world": world, "texture": texture,
+                  "sampler": sampler}
+        if pipeline.program is not None:
+            for name, other in others.items():
+                if other is not None:
+                    raise ValueError(f"{name}: a program takes it from values")
+            self._draw_program(pipeline, pipeline.program, positions, faces, values, instances)
+            return
+        if values is not None or instances != 1:
+            raise ValueError("values, instances: are for pipelines with a program")
         given = {"positions": positions, "colors": colors, "uv": uv, "normals": normals}
         buffers = self._attributes(pipeline, given)
         count, indices = self._faces(pipeline, faces, len(buffers[0]))
@@ -223,6 +292,54 @@ class Pass:
                       None if indices is None else indices._resource, count,
                       None if texture is None else texture._resource, None if sampler is None else sampler._resource,
                       _matrices(matrix, world, color), *numbers)
+
+    def _draw_program(self, pipeline: Pipeline, program: Program, positions: Any, faces: Any, values: Optional[Values],
+                      instances: Any) -> None:
+        buffers = self._inputs(program, positions)
+        vertices = len(buffers[0]) if buffers else _arrays.whole(positions, "positions", 0, 2**26)
+        count, indices = self._faces(pipeline, faces, vertices)
+        bindings, push = program._bind(values, self._context, self._targets)
+        self._recorded().draw_program(program._program, pipeline._resource, tuple(each._resource for each in buffers),
+                                      None if indices is None else indices._resource, count,
+                                      _arrays.whole(instances, "instances", 1, 2**20), bindings, push)
+
+    def _inputs(self, program: Program, positions: Any) -> List[Buffer]:
+        """Buffers in the order of the program's inputs."""
+        if not program._inputs:
+            if isinstance(positions, Mapping):
+                raise ValueError("positions: must be how many vertices there are, as the vertex shader reads nothing of them")
+            return []
+        if not isinstance(positions, Mapping):
+            raise TypeError(f"positions: must be a dictionary of {', '.join(program.inputs)}, not {_arrays.text(positions)}")
+        for name in positions:
+            _arrays.choice(name, "positions", program.inputs)
+        buffers: List[Buffer] = []
+        for wanted in program._inputs:
+            name = wanted.key
+            if name not in positions:
+                raise ValueError(f"{name}: missing; the vertex shader reads it")
+            buffer = self._input(wanted, positions[name], name)
+            self._check_context(buffer, name)
+            if buffers and len(buffer) != len(buffers[0]):
+                raise ValueError(f"{name}: must be as many as {program.inputs[0]}, {len(buffers[0])}, not {len(buffer)}")
+            buffers.append(buffer)
+        return buffers
+
+    def _input(self, wanted: Variable, value: Any, name: str) -> Buffer:
+        if isinstance(value, Buffer):
+            buffer = value
+        else:
+            array = _arrays.read(value, name)
+            whole = np.dtype(np.uint32 if array.dtype.kind == "u" else np.int32)
+            buffer = Buffer(_arrays.converted(_number_array(array, name), name, whole) if wanted.is_integer
+                            else _typed(array, name, np.float32), context=self._context)
+        array = buffer.array
+        kinds = (np.uint32, np.int32) if wanted.is_integer else (np.float32,)
+        shapes = ((len(array), wanted.components), (len(array),) if wanted.components == 1 else ())
+        if array.shape not in shapes or array.dtype not in kinds:
+            raise ValueError(f"{name}: must have the shape (N, {wanted.components}) and be of "
+                             f"{' or '.join(kind.__name__ for kind in kinds)}, not {array.shape} of {array.dtype}")
+        return buffer
 
     def _check_context(self, buffer: Buffer, name: str) -> None:
         if buffer._context is not self._context:
@@ -266,6 +383,12 @@ class Pass:
         if array.size % pipeline._corners:
             raise ValueError(f"faces: must be a multiple of {pipeline._corners} indices, not {array.size}")
         return array.size, faces
+
+
+def _number_array(array: NDArray[Any], name: str) -> NDArray[Any]:
+    if array.dtype.kind not in "fiu":
+        raise TypeError(f"{name}: must be of whole numbers, not {array.dtype}")
+    return array
 
 
 def _typed(value: Any, name: str, kind: Any) -> NDArray[Any]:

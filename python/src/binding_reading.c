@@ -61,8 +61,7 @@ static bool read_object(PyObject *context, PyObject *object, PyObject *other,
     case RHW_SHADER_TEXTURE:
     case RHW_SHADER_STORAGE_IMAGE:
         return read_item(context, object, PYTHON_ITEM_TEXTURE, bindings, &request->item);
-    case RHW_SHADER_SAMPLER:
-        return read_item(context, object, PYTHON_ITEM_SAMPLER, bindings, &request->item);
+    case RHW_SHADER_SAMPLER: return read_item(context, object, PYTHON_ITEM_SAMPLER, bindings, &request->item);
     case RHW_SHADER_TEXEL_BUFFER: {
         const long format = PyLong_AsLong(other);
         request->format = (int)format;

@@ -17,8 +17,8 @@ struct python_bindings {
     Py_ssize_t count;
 };
 
-/// Read ((place of the resource, element, object, other), ...) and the push constants. It runs code of Python's, and does
-/// not ask the context. Return false with an exception; the bindings are to be freed in either case.
+/// Read ((place of the resource, element, object, other), ...) and the push constants. It runs code of Python's, and
+/// does not ask the context. Return false with an exception; the bindings are to be freed in either case.
 ///
 /// Objects: a Resource or an array of "|u1" of buffers; a texture and a sampler of sampled textures; a texture or a
 /// sampler of others; an array and the number of a format of texel buffers. `other` is None elsewhere.

@@ -200,7 +200,7 @@ static PyObject *context_make(PyTypeObject *type, PyObject *arguments, PyObject 
     def.isa_limit = rhw_isa_up_to((enum rhw_isa)isa);
     def.assert_ = note_misuse;
     def.user = context;
-    def.validate = RHW_VALIDATE_OFF; // the shaders are ours
+    def.validate = RHW_VALIDATE_OFF; // the shaders are ours, or translated so that no access goes astray
     const enum rhw_result result =
         context->lock ? rhw_context_create(&def, &context->handle) : RHW_ERROR_OUT_OF_MEMORY;
     if (result != RHW_OK) {

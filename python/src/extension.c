@@ -123,7 +123,8 @@ static int fill(PyObject *module)
     return add_functions(module) < 0 || python_add_memory(module) < 0 || python_add_contexts(module) < 0 ||
                    python_add_models(module) < 0 || python_add_scenes(module) < 0 ||
                    python_add_resources(module) < 0 || python_add_passes(module) < 0 ||
-                   python_add_programs(module) < 0 || python_add_panoramas(module) < 0 || python_add_outputs(module) < 0
+                   python_add_programs(module) < 0 || python_add_compiler(module) < 0 ||
+                   python_add_panoramas(module) < 0 || python_add_outputs(module) < 0
                ? -1
                : 0;
 }

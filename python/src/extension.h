@@ -39,12 +39,14 @@ int python_add_resources(PyObject *module);
 int python_add_passes(PyObject *module);
 int python_add_panoramas(PyObject *module);
 int python_add_programs(PyObject *module);
+int python_add_compiler(PyObject *module);
 
 // Functions of the module, by file.
 extern PyMethodDef python_model_functions[], python_camera_functions[], python_encode_functions[],
     python_panorama_functions[], python_resource_functions[], python_diff_rasterize_functions[],
     python_diff_rasterize_grad_functions[], python_diff_interpolate_functions[],
-    python_diff_texture_functions[], python_diff_antialias_functions[], python_array_functions[];
+    python_diff_texture_functions[], python_diff_antialias_functions[], python_array_functions[],
+    python_compile_functions[], python_dispatch_functions[];
 
 /// Work without the interpreter's lock that looks for signals now and then.
 struct python_work {

@@ -2,7 +2,11 @@
 // GLSL texts to SPIR-V.
 #include "extension.h"
 
-#include "glsl/glsl.h"
+#include "glsl.h"
+
+#include <string.h>
+
+enum { MESSAGE = 1024 }; // bytes of an error
 
 // (stage, text, name, whether files may be included): (SPIR-V or None, the first error or "", the log)
 static PyObject *compile(PyObject *module, PyObject *arguments)
@@ -15,15 +19,14 @@ static PyObject *compile(PyObject *module, PyObject *arguments)
         !python_is_choice(stage, 0, RHW_SHADER_STAGE_COUNT - 1, "stage")) {
         return NULL;
     }
-    char message[GLSL_MESSAGE] = "";
+    char message[MESSAGE] = "";
     struct glsl_folders folders = {.count = 0};
     const struct glsl_options options = {.include = includes ? glsl_include_file : NULL, .user = &folders};
     struct glsl_code code = {.words = NULL};
     bool is_good;
     Py_BEGIN_ALLOW_THREADS is_good = glsl_compile((enum rhw_shader_stage)stage, text, (size_t)size, name,
                                                   &options, &code, message, sizeof message);
-    Py_END_ALLOW_THREADS
-    PyObject *const words =
+    Py_END_ALLOW_THREADS PyObject *const words =
         is_good ? PyBytes_FromStringAndSize((const char *)code.words, (Py_ssize_t)code.size) : NULL;
     const char *const log = code.log ? code.log : "";
     PyObject *const told = PyUnicode_DecodeUTF8(message, (Py_ssize_t)strlen(message), "replace");
@@ -39,13 +42,9 @@ static PyObject *compile(PyObject *module, PyObject *arguments)
     return result;
 }
 
-static PyObject *compiles(PyObject *module, PyObject *nothing)
-{
-    (void)module;
-    (void)nothing;
-    return PyBool_FromLong(glsl_is_there());
-}
+PyMethodDef python_compile_functions[] = {{"compile", compile, METH_VARARGS, NULL}, {0}};
 
-PyMethodDef python_compile_functions[] = {{"compile", compile, METH_VARARGS, NULL},
-                                          {"compiles", compiles, METH_NOARGS, NULL},
-                                          {0}};
+int python_add_compiler(PyObject *module)
+{
+    return PyModule_AddIntConstant(module, "compiles", glsl_is_there());
+}

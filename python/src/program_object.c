@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A program keeps copies of what it needs of its shaders, so that they end with the call that makes it. It belongs to no
-// context: pipelines of any context are made of it, on any thread.
+// A program keeps copies of what it needs of its shaders, so that they end with the call that makes it. It belongs to
+// no context: pipelines of any context are made of it, on any thread.
 #include "program_object.h"
 
 #include "program_info.h"
@@ -75,10 +75,12 @@ static bool create_shader(PyObject *bytes, struct rhw_shader_def *def, rhw_shade
     }
     enum rhw_result result;
     Py_BEGIN_ALLOW_THREADS result = rhw_shader_create(words, (size_t)size, def, shader, message);
-    Py_END_ALLOW_THREADS
-    if (result == RHW_ERROR_MISUSE) {
+    Py_END_ALLOW_THREADS if (result == RHW_ERROR_MISUSE)
+    {
         PyErr_Format(PyExc_ValueError, "%s: %s", stage_names[def->stage], message);
-    } else if (result != RHW_OK) {
+    }
+    else if (result != RHW_OK)
+    {
         PyErr_Format(PyExc_MemoryError, "%s: %s", stage_names[def->stage], message);
     }
     return result == RHW_OK;
@@ -117,7 +119,8 @@ static bool read_inputs(const struct rhw_shader_info *info, struct python_progra
         if (input->component != 0 ||
             (i > 0 && (input->location == input[-1].location ||
                        (input->name[0] && strcmp(input->name, input[-1].name) == 0)))) {
-            return refuse_variable("vertex", input, "an input is a number or vector at a location of its own");
+            return refuse_variable("vertex", input,
+                                   "an input is a number or vector at a location of its own");
         }
         const int first = input->is_integer ? RHW_VERTEX_UINT32X1 : RHW_VERTEX_FLOAT1;
         program->attributes[input->location] =
@@ -133,7 +136,8 @@ static bool read_outputs(const struct rhw_shader_info *info, struct python_progr
     for (uint32_t i = 0; i < info->output_count; i++) {
         const struct rhw_shader_variable *const output = &info->outputs[i];
         if (output->component != 0 || output->location != i || i >= RHW_MAX_COLOR_ATTACHMENTS) {
-            return refuse_variable("fragment", output, "locations of outputs count from 0 to 7 without a gap");
+            return refuse_variable("fragment", output,
+                                   "locations of outputs count from 0 to 7 without a gap");
         }
     }
     program->target_count = (int)info->output_count;
@@ -150,9 +154,8 @@ static int place_resource(const struct rhw_shader_resource *resource, struct pyt
         place++;
     }
     if (place == program->resource_count) {
-        mine[program->resource_count++] =
-            (struct python_program_resource){resource->kind, resource->set, resource->binding,
-                                             resource->count, resource->is_read_only};
+        mine[program->resource_count++] = (struct python_program_resource){
+            resource->kind, resource->set, resource->binding, resource->count, resource->is_read_only};
         return (int)place;
     }
     if (mine[place].kind != resource->kind || mine[place].count != resource->count) {
@@ -263,9 +266,8 @@ static PyObject *get_resources(PyObject *self, void *closure)
 
 int python_add_programs(PyObject *module)
 {
-    static PyGetSetDef members[] = {{"stages", get_stages, NULL, NULL, NULL},
-                                    {"resources", get_resources, NULL, NULL, NULL},
-                                    {0}};
+    static PyGetSetDef members[] = {
+        {"stages", get_stages, NULL, NULL, NULL}, {"resources", get_resources, NULL, NULL, NULL}, {0}};
     static PyType_Slot slots[] = {{Py_tp_new, (void *)(uintptr_t)program_make},
                                   {Py_tp_dealloc, (void *)(uintptr_t)program_free},
                                   {Py_tp_getset, members},

@@ -406,11 +406,11 @@ static bool add_formats(const struct program_request *request, const struct pyth
         if (PyErr_Occurred() || !python_is_choice((int)format, 1, RHW_FORMAT_COUNT - 1, "outputs")) {
             return false;
         }
-        def->targets[i] = (struct rhw_color_target){.format = (enum rhw_format)format,
-                                                    .blend = request->blend != 0 &&
-                                                             format != RHW_FORMAT_R32_UINT,
-                                                    .color = over_color,
-                                                    .alpha = over_alpha};
+        def->targets[i] =
+            (struct rhw_color_target){.format = (enum rhw_format)format,
+                                      .blend = request->blend != 0 && format != RHW_FORMAT_R32_UINT,
+                                      .color = over_color,
+                                      .alpha = over_alpha};
     }
     return true;
 }
@@ -458,11 +458,13 @@ static PyObject *program_pipeline(PyObject *module, PyObject *arguments)
     return make_program_pipeline(context, program, &r);
 }
 
-PyMethodDef python_resource_functions[] = {
-    {"buffer", buffer, METH_VARARGS, NULL},         {"texture", texture, METH_VARARGS, NULL},
-    {"generate_mips", generate_mips, METH_O, NULL}, {"sampler", sampler, METH_VARARGS, NULL},
-    {"pipeline", pipeline, METH_VARARGS, NULL},     {"program_pipeline", program_pipeline, METH_VARARGS, NULL},
-    {0}};
+PyMethodDef python_resource_functions[] = {{"buffer", buffer, METH_VARARGS, NULL},
+                                           {"texture", texture, METH_VARARGS, NULL},
+                                           {"generate_mips", generate_mips, METH_O, NULL},
+                                           {"sampler", sampler, METH_VARARGS, NULL},
+                                           {"pipeline", pipeline, METH_VARARGS, NULL},
+                                           {"program_pipeline", program_pipeline, METH_VARARGS, NULL},
+                                           {0}};
 
 int python_add_resources(PyObject *module)
 {

@@ -45,7 +45,8 @@ uint32_t shader_operand(const struct shader_builder *builder, uint32_t index)
 void shader_spend(struct shader_builder *builder, uint32_t words)
 {
     if (words > MAX_EFFORT - builder->effort) {
-        shader_build_refuse(builder, "the shader has too many instructions, of its calls in their places too");
+        shader_build_refuse(builder,
+                            "the shader has too many instructions, of its calls in their places too");
     }
     builder->effort += words;
 }

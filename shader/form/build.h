@@ -12,7 +12,8 @@ enum shader_place_kind {
     SHADER_PLACE_INPUT,     // scalars that are known values
     SHADER_PLACE_BUFFER,    // memory of a binding, or of push constants
     SHADER_PLACE_WORKGROUP, // bytes of the workgroup
-    SHADER_PLACE_RESOURCE   // an image or sampler
+    SHADER_PLACE_RESOURCE,  // an image or sampler
+    SHADER_PLACE_TEXEL      // of an image, for atomics
 };
 
 // An index of an access that is known when the shader runs.
@@ -39,7 +40,8 @@ struct shader_place {
     uint32_t row_stride;                // bytes from row to row of a column of such a matrix; 0: 4
     uint32_t resource;                  // number in the program, of what is no element yet
     bool is_array_of_resources;
-    bool is_read_only; // nothing is stored there
+    uint32_t coordinates[3]; // of TEXEL, whose image is `buffer`
+    bool is_read_only;       // nothing is stored there
 };
 
 #define SHADER_NO_VALUE UINT32_MAX
@@ -98,7 +100,7 @@ struct shader_builder {
     uint32_t nesting;
     uint32_t effort; // words that were looked at
     uint32_t block;  // label of the block that is being translated
-    uint32_t word;  // instruction that is being translated
+    uint32_t word;   // instruction that is being translated
     struct shader_frame *frame;
     struct shader_construct *constructs;
     uint32_t *constant_buckets; // hash table of the program's constants
@@ -149,14 +151,14 @@ void shader_define_place(struct shader_builder *builder, const struct shader_pla
 const struct shader_type *shader_result_type(const struct shader_builder *builder);
 uint32_t *shader_new_scalars(struct shader_builder *builder, const struct shader_type *type);
 
-// Note that `words` more words are looked at. Calls that are put in their places repeat words without end, so there is a
-// bound on all of them.
+// Note that `words` more words are looked at. Calls that are put in their places repeat words without end, so there is
+// a bound on all of them.
 void shader_spend(struct shader_builder *builder, uint32_t words);
 
 // signature.c. Refuse the instruction if its result or an operand, of which the first stands at `first`, is not of the
 // type that the letters ask for (signature.c tells which).
 void shader_check_signature(struct shader_builder *builder, const char *letters, uint32_t first);
-// Do so for a result of a type of its own.
+// Check the operands of an instruction whose result has a type of its own.
 void shader_check_types(struct shader_builder *builder, const struct shader_type *result, const char *letters,
                         uint32_t first);
 // Refuse an instruction of arithmetic whose operands are not of the types that it asks for.
@@ -164,13 +166,16 @@ void shader_check_operands(struct shader_builder *builder, uint32_t opcode);
 
 // build_flow.c. Translate a function that has its parameters. Return the homes of what it returns, or NULL.
 uint32_t *shader_build_function(struct shader_builder *builder, const struct shader_function *function);
-// build_arithmetic.c, build_composite.c, build_glsl.c, build_memory.c, build_image.c. Return false where the file does
-// not have the instruction.
+// build_arithmetic.c, build_composite.c, build_glsl.c, build_memory.c, build_image.c, build_subgroup.c. Return false where
+// the file does not have the instruction.
 bool shader_build_arithmetic(struct shader_builder *builder, uint32_t opcode);
 bool shader_build_composite(struct shader_builder *builder, uint32_t opcode);
 void shader_build_glsl(struct shader_builder *builder);
 bool shader_build_memory(struct shader_builder *builder, uint32_t opcode);
 bool shader_build_image(struct shader_builder *builder, uint32_t opcode);
+bool shader_build_subgroup(struct shader_builder *builder, uint32_t opcode);
+// build_subgroup.c. Return a component of a built-in of subgroups, or SHADER_NO_VALUE where `number` is another one.
+uint32_t shader_subgroup_built_in(struct shader_builder *builder, int number, uint32_t component);
 // build_memory.c. Make the place of a variable.
 void shader_build_variable(struct shader_builder *builder, const struct shader_variable *variable);
 // Store the scalars of a value of a type where an id points to.

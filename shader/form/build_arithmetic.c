@@ -285,8 +285,9 @@ static void multiply(struct shader_builder *builder, uint32_t a_id, uint32_t b_i
     const uint32_t *const a = shader_scalars(builder, a_id), *const b = shader_scalars(builder, b_id);
     const uint32_t rows = rows_of(a_type), inner = columns_of(a_type), columns = columns_of(b_type);
     check_matrix(builder, a_type);
-    check_shape(builder, is_float_vector(b_type) ? is_float_vector(type)
-                                                 : b_type->kind == SHADER_MATRIX && type->kind == SHADER_MATRIX);
+    check_shape(builder, is_float_vector(b_type)
+                             ? is_float_vector(type)
+                             : b_type->kind == SHADER_MATRIX && type->kind == SHADER_MATRIX);
     check_shape(builder, rows_of(b_type) == inner && rows_of(type) == rows && columns_of(type) == columns);
     uint32_t *const result = shader_new_scalars(builder, type);
     for (uint32_t c = 0; c < columns; c++) {
@@ -426,9 +427,7 @@ bool shader_build_arithmetic(struct shader_builder *builder, uint32_t opcode)
     shader_check_operands(builder, opcode);
     switch (opcode) {
     case SPIRV_OP_VectorTimesScalar:
-    case SPIRV_OP_MatrixTimesScalar:
-        build_scaled(builder, opcode == SPIRV_OP_MatrixTimesScalar);
-        return true;
+    case SPIRV_OP_MatrixTimesScalar: build_scaled(builder, opcode == SPIRV_OP_MatrixTimesScalar); return true;
     case SPIRV_OP_MatrixTimesVector:
     case SPIRV_OP_MatrixTimesMatrix:
         multiply(builder, shader_operand(builder, 3), shader_operand(builder, 4));

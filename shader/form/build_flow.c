@@ -189,7 +189,8 @@ static void build_instruction(struct shader_builder *builder, uint32_t opcode)
     default: break;
     }
     if (!shader_build_arithmetic(builder, opcode) && !shader_build_composite(builder, opcode) &&
-        !shader_build_memory(builder, opcode) && !shader_build_image(builder, opcode)) {
+        !shader_build_memory(builder, opcode) && !shader_build_image(builder, opcode) &&
+        !shader_build_subgroup(builder, opcode)) {
         shader_build_refuse(builder, "the instruction is not supported here");
     }
 }
@@ -542,8 +543,8 @@ static uint32_t loop_merge(const struct shader_builder *builder, uint32_t label,
     return 0;
 }
 
-// Control flow goes from the block under way to a label. Return true if it goes on there in the same construct: false if
-// it has come to `stop`, or leaves a construct.
+// Control flow goes from the block under way to a label. Return true if it goes on there in the same construct, and
+// false if it has come to `stop`, or leaves a construct.
 static bool goes_to(struct shader_builder *builder, uint32_t label, uint32_t stop)
 {
     if (label >= builder->module->bound || builder->label_words[label] == 0) {

@@ -9,7 +9,9 @@ struct image_access {
     uint32_t values[SHADER_IMAGE_OPERANDS];
     uint32_t flags;
     const struct shader_type *image;
-    uint32_t spatial; // coordinates without the layer
+    uint32_t spatial;     // coordinates without the layer
+    uint32_t coordinates; // all that are taken
+    uint32_t offsets;     // id: four offsets of a gather, or 0
 };
 
 static const struct shader_type *image_type_of(const struct shader_builder *builder,
@@ -36,6 +38,12 @@ static uint32_t spatial_of(const struct shader_builder *builder, const struct sh
     }
 }
 
+// Whole coordinates of a cube have a face, which is the layer in an array of cubes.
+static bool is_whole(enum shader_image_operation does)
+{
+    return does == SHADER_DO_FETCH || does == SHADER_DO_LOAD;
+}
+
 static struct image_access begin_access(struct shader_builder *builder, uint32_t operand,
                                         enum shader_image_operation does)
 {
@@ -49,6 +57,11 @@ static struct image_access begin_access(struct shader_builder *builder, uint32_t
     access.image = image_type_of(builder, shader_type_of_value(builder, id));
     access.values[SHADER_IMAGE_TEXTURE] = place->buffer;
     access.spatial = spatial_of(builder, access.image);
+    access.coordinates = access.spatial;
+    if (access.image->image.is_arrayed && does != SHADER_DO_QUERY_LOD &&
+        !(is_whole(does) && access.image->image.dim == SPIRV_DIM_CUBE)) {
+        access.coordinates++;
+    }
     access.flags |= access.spatial << SHADER_IMAGE_SPATIAL_SHIFT;
     access.flags |= access.image->image.is_arrayed ? (uint32_t)SHADER_IMAGE_IS_ARRAYED : 0;
     const struct shader_place *const sampler = builder->built[id].sampler;
@@ -75,28 +88,23 @@ static void take_components(struct shader_builder *builder, struct image_access 
 static void take_coordinates(struct shader_builder *builder, struct image_access *access, uint32_t id,
                              bool is_projective)
 {
-    const uint32_t needed = access->spatial + (access->image->image.is_arrayed ? 1 : 0);
-    const uint32_t count = shader_type_of_value(builder, id)->scalars;
+    const uint32_t needed = access->coordinates, count = shader_type_of_value(builder, id)->scalars;
     if (count < needed + (is_projective ? 1 : 0) || count > 4) {
         shader_build_refuse(builder, "id %u has %u components; the image asks for %u", (unsigned)id,
-                            (unsigned)count, (unsigned)needed);
+                            (unsigned)count, (unsigned)needed + (is_projective ? 1u : 0u));
     }
     take_components(builder, access, id, SHADER_IMAGE_COORDINATES, needed);
     for (uint32_t i = 0; is_projective && i < needed; i++) {
         uint32_t *const coordinate = &access->values[SHADER_IMAGE_COORDINATES + i];
-        *coordinate =
-            shader_emit(builder, SHADER_FDIV, *coordinate, shader_scalars(builder, id)[count - 1], 0);
+        *coordinate = shader_emit(builder, SHADER_FDIV, *coordinate, shader_scalars(builder, id)[needed], 0);
     }
 }
 
-// Read the image operands, whose mask stands at this operand. Return the mask.
-static uint32_t take_operands(struct shader_builder *builder, struct image_access *access, uint32_t operand)
+// Read the image operands, whose mask stands at this operand.
+static void take_operands(struct shader_builder *builder, struct image_access *access, uint32_t operand)
 {
     const uint32_t mask = operand < shader_word_count(builder) ? shader_operand(builder, operand) : 0;
     uint32_t next = operand + 1;
-    if (mask & (SPIRV_IMAGE_CONST_OFFSETS | SPIRV_IMAGE_MIN_LOD)) {
-        shader_build_refuse(builder, "four offsets and a least level of detail are not supported");
-    }
     if (mask & SPIRV_IMAGE_BIAS) {
         take_components(builder, access, shader_operand(builder, next++), SHADER_IMAGE_BIAS, 1);
         access->flags |= SHADER_IMAGE_HAS_BIAS;
@@ -114,11 +122,21 @@ static uint32_t take_operands(struct shader_builder *builder, struct image_acces
         take_components(builder, access, shader_operand(builder, next++), SHADER_IMAGE_OFFSET, 3);
         access->flags |= SHADER_IMAGE_HAS_OFFSET;
     }
+    if (mask & SPIRV_IMAGE_CONST_OFFSETS) {
+        access->offsets = shader_operand(builder, next++);
+        if (shader_type_of_value(builder, access->offsets)->scalars != 8 ||
+            (access->flags & 15) != SHADER_DO_GATHER) {
+            shader_build_refuse(builder, "four offsets have 2 components each, and are for gathers");
+        }
+    }
     if (mask & SPIRV_IMAGE_SAMPLE) {
         take_components(builder, access, shader_operand(builder, next++), SHADER_IMAGE_SAMPLE, 1);
         access->flags |= SHADER_IMAGE_HAS_SAMPLE;
     }
-    return mask;
+    if (mask & SPIRV_IMAGE_MIN_LOD) {
+        take_components(builder, access, shader_operand(builder, next++), SHADER_IMAGE_LEAST_LOD, 1);
+        access->flags |= SHADER_IMAGE_HAS_LEAST_LOD;
+    }
 }
 
 // In fragments a level of detail that is not given follows from how the coordinates change from pixel to pixel.
@@ -140,6 +158,7 @@ static enum shader_type_kind kind_of_result(const struct image_access *access)
 {
     switch ((enum shader_image_operation)(access->flags & 15)) {
     case SHADER_DO_SIZE:
+    case SHADER_DO_IMAGE_SIZE:
     case SHADER_DO_LEVELS:
     case SHADER_DO_SAMPLES: return SHADER_INT;
     case SHADER_DO_QUERY_LOD: return SHADER_FLOAT;
@@ -147,12 +166,19 @@ static enum shader_type_kind kind_of_result(const struct image_access *access)
     }
 }
 
-// Put the access into the code, and define the result as its first components.
-static void finish_access(struct shader_builder *builder, const struct image_access *access)
+// Put the access into the code. Return its node, whose PARTs follow it.
+static uint32_t emit_access(struct shader_builder *builder, const struct image_access *access)
+{
+    const uint32_t list = shader_add_list(builder->program, access->values, SHADER_IMAGE_OPERANDS);
+    return shader_emit_with(builder, SHADER_SAMPLE, access->flags, list, 0, 0);
+}
+
+// Put the access into the code, and define the result as these of its components, in the order of the result.
+static void finish_parts(struct shader_builder *builder, const struct image_access *access,
+                         const uint32_t order[4])
 {
     const struct shader_type *const type = shader_result_type(builder);
-    const uint32_t list = shader_add_list(builder->program, access->values, SHADER_IMAGE_OPERANDS);
-    const uint32_t sample = shader_emit_with(builder, SHADER_SAMPLE, access->flags, list, 0, 0);
+    const uint32_t sample = emit_access(builder, access);
     uint32_t parts[4];
     if (type->scalars == 0 || type->scalars > 4) {
         shader_build_refuse(builder, "the result has 1 to 4 components");
@@ -162,9 +188,14 @@ static void finish_access(struct shader_builder *builder, const struct image_acc
         shader_build_refuse(builder, "the result is not of the type that the image gives");
     }
     for (uint32_t i = 0; i < type->scalars; i++) {
-        parts[i] = shader_emit_with(builder, SHADER_PART, i, sample, 0, 0);
+        parts[i] = shader_emit_with(builder, SHADER_PART, order[i], sample, 0, 0);
     }
     shader_define(builder, parts);
+}
+
+static void finish_access(struct shader_builder *builder, const struct image_access *access)
+{
+    finish_parts(builder, access, (const uint32_t[4]){0, 1, 2, 3});
 }
 
 // The sampling instructions: with or without a level, a reference and a division by the last coordinate.
@@ -177,17 +208,34 @@ static void build_sample(struct shader_builder *builder, bool is_explicit, bool 
     if (has_reference) {
         uint32_t reference = shader_scalars(builder, shader_operand(builder, 5))[0];
         if (is_projective) {
-            const uint32_t last = shader_type_of_value(builder, id)->scalars - 1;
-            reference = shader_emit(builder, SHADER_FDIV, reference, shader_scalars(builder, id)[last], 0);
+            reference = shader_emit(builder, SHADER_FDIV, reference,
+                                    shader_scalars(builder, id)[access.coordinates], 0);
         }
         access.values[SHADER_IMAGE_REFERENCE] = reference;
         access.flags |= SHADER_IMAGE_HAS_REFERENCE;
     }
-    (void)take_operands(builder, &access, has_reference ? 6 : 5);
+    take_operands(builder, &access, has_reference ? 6 : 5);
     if (!is_explicit) {
         take_gradient(builder, &access);
     }
     finish_access(builder, &access);
+}
+
+// Gather at four offsets: each gives the texel above left of its own footprint, which a gather has last.
+static void gather_apart(struct shader_builder *builder, struct image_access *access)
+{
+    uint32_t parts[4];
+    access->flags |= SHADER_IMAGE_HAS_OFFSET;
+    for (uint32_t i = 0; i < 4; i++) {
+        const uint32_t *const offset = shader_scalars(builder, access->offsets) + 2 * (size_t)i;
+        access->values[SHADER_IMAGE_OFFSET] = offset[0];
+        access->values[SHADER_IMAGE_OFFSET + 1] = offset[1];
+        parts[i] = shader_emit_with(builder, SHADER_PART, 3, emit_access(builder, access), 0, 0);
+    }
+    if (shader_result_type(builder)->scalars != 4) {
+        shader_build_refuse(builder, "a gather has 4 components");
+    }
+    shader_define(builder, parts);
 }
 
 static void build_gather(struct shader_builder *builder, bool has_reference)
@@ -203,26 +251,63 @@ static void build_gather(struct shader_builder *builder, bool has_reference)
         shader_build_refuse(builder, "the channel is a constant of 0 to 3");
     }
     access.flags |= channel << SHADER_IMAGE_CHANNEL_SHIFT;
-    (void)take_operands(builder, &access, 6);
-    finish_access(builder, &access);
+    take_operands(builder, &access, 6);
+    if (access.offsets != 0) {
+        gather_apart(builder, &access);
+    } else {
+        finish_access(builder, &access);
+    }
+}
+
+static bool is_storage(const struct shader_type *image)
+{
+    return image->image.is_storage || image->image.dim == SPIRV_DIM_BUFFER;
 }
 
 static void build_fetch(struct shader_builder *builder, enum shader_image_operation does)
 {
-    struct image_access access = begin_access(builder, 3, does);
+    const struct shader_type *const image =
+        image_type_of(builder, shader_type_of_value(builder, shader_operand(builder, 3)));
+    struct image_access access = begin_access(builder, 3, is_storage(image) ? SHADER_DO_LOAD : does);
     take_coordinates(builder, &access, shader_operand(builder, 4), false);
-    (void)take_operands(builder, &access, 5);
+    take_operands(builder, &access, 5);
+    for (uint32_t i = 0; (access.flags & SHADER_IMAGE_HAS_OFFSET) && i < access.spatial; i++) {
+        uint32_t *const at = &access.values[SHADER_IMAGE_COORDINATES + i];
+        *at = shader_emit(builder, SHADER_IADD, *at, access.values[SHADER_IMAGE_OFFSET + i], 0);
+        access.values[SHADER_IMAGE_OFFSET + i] = 0;
+    }
+    access.flags &= ~(uint32_t)SHADER_IMAGE_HAS_OFFSET;
     finish_access(builder, &access);
 }
 
-static void build_query(struct shader_builder *builder, enum shader_image_operation does, bool has_level)
+static void build_query(struct shader_builder *builder, enum shader_image_operation does)
 {
     struct image_access access = begin_access(builder, 3, does);
-    if (has_level) {
+    finish_access(builder, &access);
+}
+
+// The size has width and height as far as the image has them, then slices or layers, of which a cube has six.
+static void build_size(struct shader_builder *builder, bool has_level)
+{
+    struct image_access access = begin_access(builder, 3, SHADER_DO_SIZE);
+    const bool is_cube = access.image->image.dim == SPIRV_DIM_CUBE,
+               is_arrayed = access.image->image.is_arrayed;
+    const uint32_t flat = is_cube ? 2 : access.spatial, count = flat + (is_arrayed ? 1 : 0);
+    const uint32_t order[4] = {0, flat == 1 ? 2 : 1, 2, 2};
+    if (is_storage(access.image)) {
+        access.flags = (access.flags & ~15u) | SHADER_DO_IMAGE_SIZE;
+    } else if (has_level) {
         take_components(builder, &access, shader_operand(builder, 4), SHADER_IMAGE_LOD, 1);
         access.flags |= SHADER_IMAGE_HAS_LOD;
     }
-    finish_access(builder, &access);
+    if (shader_result_type(builder)->scalars != count) {
+        shader_build_refuse(builder, "the size of the image has %u components", (unsigned)count);
+    }
+    finish_parts(builder, &access, order);
+    if (is_cube && is_arrayed) {
+        uint32_t *const layers = &builder->built[shader_operand(builder, 2)].scalars[2];
+        *layers = shader_emit(builder, SHADER_UDIV, *layers, shader_number(builder, 6), 0);
+    }
 }
 
 static void build_query_lod(struct shader_builder *builder)
@@ -238,9 +323,35 @@ static void build_write(struct shader_builder *builder)
     struct image_access access = begin_access(builder, 1, SHADER_DO_LOAD);
     take_coordinates(builder, &access, shader_operand(builder, 2), false);
     take_components(builder, &access, shader_operand(builder, 3), SHADER_IMAGE_TEXEL, 4);
-    (void)take_operands(builder, &access, 4);
+    take_operands(builder, &access, 4);
     const uint32_t list = shader_add_list(builder->program, access.values, SHADER_IMAGE_OPERANDS);
     (void)shader_emit_with(builder, SHADER_IMAGE_STORE, access.flags, list, 0, 0);
+}
+
+// The image is behind a pointer.
+static void build_texel_pointer(struct shader_builder *builder)
+{
+    const struct shader_place *const image = shader_place_of(builder, shader_operand(builder, 3));
+    const uint32_t id = shader_operand(builder, 4), count = shader_type_of_value(builder, id)->scalars;
+    const struct shader_type *const type = shader_result_type(builder);
+    if (image->kind != SHADER_PLACE_RESOURCE || image->is_array_of_resources ||
+        image->type->kind != SHADER_IMAGE || !is_storage(image->type) || image->type->image.is_multisampled ||
+        type->kind != SHADER_POINTER || type->element != image->type->element) {
+        shader_build_refuse(builder, "it points to no texel of a storage image");
+    }
+    const bool has_layer = image->type->image.is_arrayed && image->type->image.dim != SPIRV_DIM_CUBE;
+    const uint32_t needed = spatial_of(builder, image->type) + (has_layer ? 1 : 0);
+    if (count < needed || count > 4) {
+        shader_build_refuse(builder, "id %u has %u components; the image asks for %u", (unsigned)id,
+                            (unsigned)count, (unsigned)needed);
+    }
+    struct shader_place place = *image;
+    place.kind = SHADER_PLACE_TEXEL;
+    place.type = image->type->element;
+    for (uint32_t i = 0; i < needed; i++) {
+        place.coordinates[i] = shader_scalars(builder, id)[i];
+    }
+    shader_define_place(builder, &place);
 }
 
 static void build_sampled_image(struct shader_builder *builder)
@@ -302,6 +413,7 @@ bool shader_build_image(struct shader_builder *builder, uint32_t opcode)
     switch (opcode) {
     case SPIRV_OP_SampledImage: build_sampled_image(builder); return true;
     case SPIRV_OP_Image: build_image_of(builder); return true;
+    case SPIRV_OP_ImageTexelPointer: build_texel_pointer(builder); return true;
     case SPIRV_OP_ImageSampleImplicitLod: build_sample(builder, false, false, false); return true;
     case SPIRV_OP_ImageSampleExplicitLod: build_sample(builder, true, false, false); return true;
     case SPIRV_OP_ImageSampleDrefImplicitLod: build_sample(builder, false, true, false); return true;
@@ -315,10 +427,10 @@ bool shader_build_image(struct shader_builder *builder, uint32_t opcode)
     case SPIRV_OP_ImageFetch: build_fetch(builder, SHADER_DO_FETCH); return true;
     case SPIRV_OP_ImageRead: build_fetch(builder, SHADER_DO_LOAD); return true;
     case SPIRV_OP_ImageWrite: build_write(builder); return true;
-    case SPIRV_OP_ImageQuerySizeLod: build_query(builder, SHADER_DO_SIZE, true); return true;
-    case SPIRV_OP_ImageQuerySize: build_query(builder, SHADER_DO_SIZE, false); return true;
-    case SPIRV_OP_ImageQueryLevels: build_query(builder, SHADER_DO_LEVELS, false); return true;
-    case SPIRV_OP_ImageQuerySamples: build_query(builder, SHADER_DO_SAMPLES, false); return true;
+    case SPIRV_OP_ImageQuerySizeLod: build_size(builder, true); return true;
+    case SPIRV_OP_ImageQuerySize: build_size(builder, false); return true;
+    case SPIRV_OP_ImageQueryLevels: build_query(builder, SHADER_DO_LEVELS); return true;
+    case SPIRV_OP_ImageQuerySamples: build_query(builder, SHADER_DO_SAMPLES); return true;
     case SPIRV_OP_ImageQueryLod: build_query_lod(builder); return true;
     case SPIRV_OP_DPdx:
     case SPIRV_OP_DPdy:

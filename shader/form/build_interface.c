@@ -10,8 +10,8 @@ struct built_in {
     enum spirv_built_in number;
     int slot; // the first component: enum shader_built_in of inputs, enum shader_output of outputs
     uint32_t components;
-    enum shader_type_kind kind; // of a component
-    enum stage_set stages;      // that have it
+    enum shader_type_kind kind; // what a component is
+    enum stage_set stages;      // stages that have it
 };
 
 static const struct built_in built_in_inputs[] = {
@@ -92,6 +92,12 @@ static void add_built_in(struct interface_walk *walk, const struct shader_type *
         (number == SPIRV_HELPER_INVOCATION || number == SPIRV_VIEW_INDEX || number == SPIRV_DEVICE_INDEX)) {
         for (uint32_t i = 0; i < type->scalars; i++) {
             walk->scalars[walk->next++] = shader_number(builder, 0);
+        }
+        return;
+    }
+    if (!is_output && shader_subgroup_built_in(builder, number, 0) != SHADER_NO_VALUE) {
+        for (uint32_t c = 0; c < type->scalars; c++) {
+            walk->scalars[walk->next++] = shader_subgroup_built_in(builder, number, c);
         }
         return;
     }

@@ -20,7 +20,8 @@ static uint32_t add_resource(struct shader_builder *builder, const struct shader
 {
     struct shader_program *const program = builder->program;
     if (program->resource_count == MAX_VARIABLES) {
-        shader_build_refuse(builder, "the module has more than %d buffers, images and samplers", MAX_VARIABLES);
+        shader_build_refuse(builder, "the module has more than %d buffers, images and samplers",
+                            MAX_VARIABLES);
     }
     if (!program->resources) {
         program->resources =
@@ -451,8 +452,8 @@ static void build_array_length(struct shader_builder *builder)
     const struct shader_type *const type = place->type;
     if (place->kind != SHADER_PLACE_BUFFER || place->is_array_of_resources ||
         builder->program->nodes[place->buffer].op != SHADER_BUFFER || type->kind != SHADER_STRUCT ||
-        number + 1 != type->count ||
-        type->members[number].type->kind != SHADER_RUNTIME_ARRAY || type->members[number].type->stride == 0) {
+        number + 1 != type->count || type->members[number].type->kind != SHADER_RUNTIME_ARRAY ||
+        type->members[number].type->stride == 0) {
         shader_build_refuse(builder, "the last member of the block is no array without a length");
     }
     const struct shader_member *const member = &type->members[number];
@@ -486,15 +487,30 @@ static bool find_atomic(uint32_t opcode, enum shader_atomic *operation)
     }
 }
 
+static uint32_t emit_image_atomic(struct shader_builder *builder, enum shader_atomic operation,
+                                  const struct shader_place *place, uint32_t value, uint32_t comparand)
+{
+    const uint32_t values[SHADER_IMAGE_ATOMIC_OPERANDS] = {
+        place->buffer, place->coordinates[0], place->coordinates[1], place->coordinates[2], value, comparand};
+    const uint32_t list = shader_add_list(builder->program, values, SHADER_IMAGE_ATOMIC_OPERANDS);
+    return shader_emit_with(builder, SHADER_IMAGE_ATOMIC, (uint32_t)operation, list, 0, 0);
+}
+
 static uint32_t emit_atomic(struct shader_builder *builder, enum shader_atomic operation, uint32_t pointer,
                             uint32_t value, uint32_t comparand)
 {
     const struct shader_place *const place = shader_place_of(builder, pointer);
-    if ((place->kind != SHADER_PLACE_BUFFER && place->kind != SHADER_PLACE_WORKGROUP) ||
-        place->is_read_only || place->is_array_of_resources || place->type->kind != SHADER_INT ||
-        place->type->bits != 32) {
-        shader_build_refuse(builder, "id %u does not point to an integer of 32 bits in memory",
-                            (unsigned)pointer);
+    const bool moves = operation == SHADER_ATOMIC_LOAD || operation == SHADER_ATOMIC_STORE ||
+                       operation == SHADER_ATOMIC_EXCHANGE;
+    if ((place->kind != SHADER_PLACE_BUFFER && place->kind != SHADER_PLACE_WORKGROUP &&
+         place->kind != SHADER_PLACE_TEXEL) ||
+        place->is_read_only || place->is_array_of_resources || place->type->bits != 32 ||
+        (place->type->kind != SHADER_INT && (place->type->kind != SHADER_FLOAT || !moves))) {
+        shader_build_refuse(builder, "id %u does not point to %s of 32 bits in memory", (unsigned)pointer,
+                            moves ? "a number" : "an integer");
+    }
+    if (place->kind == SHADER_PLACE_TEXEL) {
+        return emit_image_atomic(builder, operation, place, value, comparand);
     }
     const uint32_t bytes = shader_number(builder, place->bytes);
     const uint32_t values[SHADER_ATOMIC_OPERANDS] = {
@@ -505,11 +521,12 @@ static uint32_t emit_atomic(struct shader_builder *builder, enum shader_atomic o
     return shader_emit_with(builder, SHADER_ATOMIC, (uint32_t)operation, list, 0, 0);
 }
 
-static uint32_t atomic_value(struct shader_builder *builder, uint32_t operand)
+// Return an operand that is of the type of what is pointed to.
+static uint32_t atomic_value(struct shader_builder *builder, uint32_t pointer, uint32_t operand)
 {
     const uint32_t id = shader_operand(builder, operand);
-    if (shader_type_of_value(builder, id)->kind != SHADER_INT) {
-        shader_build_refuse(builder, "id %u is no integer", (unsigned)id);
+    if (shader_type_of_value(builder, id) != shader_place_of(builder, shader_operand(builder, pointer))->type) {
+        shader_build_refuse(builder, "id %u is not of the type of what is pointed to", (unsigned)id);
     }
     return shader_scalars(builder, id)[0];
 }
@@ -519,11 +536,11 @@ static bool build_atomic(struct shader_builder *builder, uint32_t opcode)
     enum shader_atomic operation;
     uint32_t before;
     if (opcode >= SPIRV_OP_AtomicLoad && opcode <= SPIRV_OP_AtomicXor && opcode != SPIRV_OP_AtomicStore &&
-        shader_result_type(builder)->kind != SHADER_INT) {
-        shader_build_refuse(builder, "the result is an integer");
+        shader_result_type(builder) != shader_place_of(builder, shader_operand(builder, 3))->type) {
+        shader_build_refuse(builder, "the result is not of the type of what is pointed to");
     }
     if (opcode == SPIRV_OP_AtomicStore) {
-        (void)emit_atomic(builder, SHADER_ATOMIC_STORE, shader_operand(builder, 1), atomic_value(builder, 4),
+        (void)emit_atomic(builder, SHADER_ATOMIC_STORE, shader_operand(builder, 1), atomic_value(builder, 1, 4),
                           0);
         return true;
     }
@@ -531,13 +548,13 @@ static bool build_atomic(struct shader_builder *builder, uint32_t opcode)
         before = emit_atomic(builder, SHADER_ATOMIC_LOAD, shader_operand(builder, 3), 0, 0);
     } else if (opcode == SPIRV_OP_AtomicCompareExchange) {
         before = emit_atomic(builder, SHADER_ATOMIC_COMPARE_EXCHANGE, shader_operand(builder, 3),
-                             atomic_value(builder, 7), atomic_value(builder, 8));
+                             atomic_value(builder, 3, 7), atomic_value(builder, 3, 8));
     } else if (opcode == SPIRV_OP_AtomicIIncrement || opcode == SPIRV_OP_AtomicIDecrement) {
         const uint32_t step = opcode == SPIRV_OP_AtomicIIncrement ? 1 : UINT32_MAX;
         before = emit_atomic(builder, SHADER_ATOMIC_ADD, shader_operand(builder, 3),
                              shader_number(builder, step), 0);
     } else if (find_atomic(opcode, &operation)) {
-        uint32_t value = atomic_value(builder, 6);
+        uint32_t value = atomic_value(builder, 3, 6);
         value = opcode == SPIRV_OP_AtomicISub
                     ? shader_emit(builder, SHADER_ISUB, shader_number(builder, 0), value, 0)
                     : value;
@@ -549,6 +566,21 @@ static bool build_atomic(struct shader_builder *builder, uint32_t opcode)
     return true;
 }
 
+// The lanes of a subgroup go through the shader together.
+static void build_barrier(struct shader_builder *builder)
+{
+    enum { SUBGROUP = 3 };
+    uint32_t scope;
+    const uint32_t id = shader_operand(builder, 1);
+    if (!shader_is_number(builder, shader_scalars(builder, id)[0], &scope)) {
+        shader_build_refuse(builder, "the scope of a barrier is a constant");
+    }
+    if (scope != SUBGROUP) {
+        (void)shader_emit_with(builder, SHADER_BARRIER, 0, 0, 0, 0);
+        builder->program->has_barriers = true;
+    }
+}
+
 bool shader_build_memory(struct shader_builder *builder, uint32_t opcode)
 {
     switch (opcode) {
@@ -558,10 +590,7 @@ bool shader_build_memory(struct shader_builder *builder, uint32_t opcode)
     case SPIRV_OP_Store: build_store(builder); return true;
     case SPIRV_OP_CopyMemory: build_copy(builder); return true;
     case SPIRV_OP_ArrayLength: build_array_length(builder); return true;
-    case SPIRV_OP_ControlBarrier:
-        (void)shader_emit_with(builder, SHADER_BARRIER, 0, 0, 0, 0);
-        builder->program->has_barriers = true;
-        return true;
+    case SPIRV_OP_ControlBarrier: build_barrier(builder); return true;
     case SPIRV_OP_MemoryBarrier: return true; // memory is written in the order of the operations
     default: return build_atomic(builder, opcode);
     }

@@ -45,7 +45,7 @@ static void mark_value(struct worklist *list, uint32_t value)
 static bool may_differ(const struct shader_node *node)
 {
     return node->op != SHADER_DDX && node->op != SHADER_DDY && node->op != SHADER_ATOMIC &&
-           (node->flags & SHADER_PER_QUAD) == 0;
+           node->op != SHADER_IMAGE_ATOMIC && (node->flags & SHADER_PER_QUAD) == 0;
 }
 
 // Mark values that may be others at the partner pixel.

@@ -29,6 +29,19 @@ enum shader_op_kind shader_op_kind_of(enum shader_op op)
     return descriptions[op].kind;
 }
 
+bool shader_op_has_list(enum shader_op op)
+{
+    return op == SHADER_SAMPLE || op == SHADER_IMAGE_STORE || op == SHADER_ATOMIC ||
+           op == SHADER_IMAGE_ATOMIC;
+}
+
+bool shader_op_has_result(enum shader_op op)
+{
+    const enum shader_op_kind kind = shader_op_kind_of(op);
+    return kind == SHADER_KIND_VALUE || kind == SHADER_KIND_READ || op == SHADER_ATOMIC ||
+           op == SHADER_IMAGE_ATOMIC;
+}
+
 uint32_t shader_add_node(struct shader_program *program, enum shader_op op, uint32_t immediate, uint32_t a,
                          uint32_t b, uint32_t c)
 {
@@ -51,7 +64,7 @@ uint32_t shader_add_node(struct shader_program *program, enum shader_op op, uint
 uint32_t *shader_operands(const struct shader_program *program, struct shader_node *node, uint32_t *count)
 {
     const enum shader_op op = (enum shader_op)node->op;
-    if (op == SHADER_SAMPLE || op == SHADER_IMAGE_STORE || op == SHADER_ATOMIC) {
+    if (shader_op_has_list(op)) {
         *count = program->lists[node->operands[0]];
         return &program->lists[node->operands[0] + 1];
     }

@@ -22,8 +22,8 @@ enum shader_op_kind { SHADER_KIND_VALUE, SHADER_KIND_READ, SHADER_KIND_EFFECT, S
 
 enum {
     SHADER_MAX_NODES = 1 << 18,
-    SHADER_MAX_NESTING = 128,                     // of selections, loops and calls
-    SHADER_MAX_DEPTH = 3 * SHADER_MAX_NESTING + 2 // of IF, REGION and LOOP: a switch has three
+    SHADER_MAX_NESTING = 128,                     // selections, loops and calls inside each other
+    SHADER_MAX_DEPTH = 3 * SHADER_MAX_NESTING + 2 // IF, REGION and LOOP inside each other: a switch has three
 };
 
 struct shader_node {
@@ -57,6 +57,7 @@ enum shader_built_in {
     SHADER_IN_LOCAL = SHADER_IN_WORKGROUP + 3,           // 3
     SHADER_IN_GLOBAL = SHADER_IN_LOCAL + 3,              // 3
     SHADER_IN_LOCAL_INDEX = SHADER_IN_GLOBAL + 3,
+    SHADER_IN_LANE, // number of the lane in its group of 8, which is the subgroup
     SHADER_IN_COUNT
 };
 
@@ -115,6 +116,7 @@ enum shader_image_operand {
     SHADER_IMAGE_DY = SHADER_IMAGE_DX + 3,
     SHADER_IMAGE_OFFSET = SHADER_IMAGE_DY + 3,
     SHADER_IMAGE_SAMPLE = SHADER_IMAGE_OFFSET + 3,
+    SHADER_IMAGE_LEAST_LOD,
     SHADER_IMAGE_TEXEL, // 4, that are stored
     SHADER_IMAGE_OPERANDS = SHADER_IMAGE_TEXEL + 4
 };
@@ -126,6 +128,15 @@ enum shader_atomic_operand {
     SHADER_ATOMIC_VALUE,
     SHADER_ATOMIC_COMPARAND,
     SHADER_ATOMIC_OPERANDS
+};
+
+// Operands of SHADER_IMAGE_ATOMIC, in their list. The immediate is its enum shader_atomic.
+enum shader_image_atomic_operand {
+    SHADER_IMAGE_ATOMIC_IMAGE,       // BUFFER node
+    SHADER_IMAGE_ATOMIC_COORDINATES, // 3
+    SHADER_IMAGE_ATOMIC_VALUE = SHADER_IMAGE_ATOMIC_COORDINATES + 3,
+    SHADER_IMAGE_ATOMIC_COMPARAND,
+    SHADER_IMAGE_ATOMIC_OPERANDS
 };
 
 enum shader_atomic {
@@ -152,7 +163,8 @@ enum shader_image_operation {
     SHADER_DO_LEVELS,
     SHADER_DO_SAMPLES,
     SHADER_DO_QUERY_LOD,
-    SHADER_DO_LOAD
+    SHADER_DO_LOAD,      // of a storage image or texel buffer
+    SHADER_DO_IMAGE_SIZE // of a storage image or texel buffer
 };
 
 // Fields of the immediate: the operation, spatial coordinates, the channel that is gathered, and which operands there
@@ -167,7 +179,31 @@ enum {
     SHADER_IMAGE_HAS_LOD = 1 << 12,
     SHADER_IMAGE_HAS_GRADIENT = 1 << 13,
     SHADER_IMAGE_HAS_OFFSET = 1 << 14,
-    SHADER_IMAGE_HAS_SAMPLE = 1 << 15
+    SHADER_IMAGE_HAS_SAMPLE = 1 << 15,
+    SHADER_IMAGE_HAS_LEAST_LOD = 1 << 16
+};
+
+// What a SHADER_SCAN does with the values of active lanes, in the lowest 4 bits of its immediate.
+enum shader_scan {
+    SHADER_SCAN_FADD,
+    SHADER_SCAN_FMUL,
+    SHADER_SCAN_FMIN,
+    SHADER_SCAN_FMAX,
+    SHADER_SCAN_IADD,
+    SHADER_SCAN_IMUL,
+    SHADER_SCAN_MIN_INT,
+    SHADER_SCAN_MAX_INT,
+    SHADER_SCAN_MIN_UINT,
+    SHADER_SCAN_MAX_UINT,
+    SHADER_SCAN_AND,
+    SHADER_SCAN_OR,
+    SHADER_SCAN_XOR
+};
+
+// Fields of the immediate: the operation, how far a lane looks, and the binary logarithm of a cluster's lanes.
+enum {
+    SHADER_SCAN_REACH_SHIFT = 4, // 0: all lanes, 1: up to the lane itself, 2: those before the lane
+    SHADER_SCAN_CLUSTER_SHIFT = 6
 };
 
 // Return the operands of a node that are values, and how many there are.
@@ -191,6 +227,10 @@ uint32_t shader_add_constant(struct shader_program *program, uint32_t bits);
 const char *shader_op_name(enum shader_op op);
 int shader_op_operands(enum shader_op op);
 enum shader_op_kind shader_op_kind_of(enum shader_op op);
+// Return true if operand 0 is the place of a list.
+bool shader_op_has_list(enum shader_op op);
+// Return true if others may read what the operation gives.
+bool shader_op_has_result(enum shader_op op);
 
 // fold.c. Return the value of an operation on constants. Return false where it has no value that is known.
 bool shader_fold(enum shader_op op, const uint32_t operands[3], uint32_t *result);

@@ -153,6 +153,7 @@ static void print_image_parts(const struct printer *printer, const struct shader
         {SHADER_IMAGE_HAS_GRADIENT, "dx", SHADER_IMAGE_DX, 0, SHADER_NUMBER_FLOAT},
         {SHADER_IMAGE_HAS_GRADIENT, "dy", SHADER_IMAGE_DY, 0, SHADER_NUMBER_FLOAT},
         {SHADER_IMAGE_HAS_OFFSET, "offset", SHADER_IMAGE_OFFSET, 0, SHADER_NUMBER_INT},
+        {SHADER_IMAGE_HAS_LEAST_LOD, "least_lod", SHADER_IMAGE_LEAST_LOD, 1, SHADER_NUMBER_FLOAT},
         {SHADER_IMAGE_HAS_SAMPLE, "sample", SHADER_IMAGE_SAMPLE, 1, SHADER_NUMBER_INT},
     };
     const int spatial = (int)(node->immediate >> SHADER_IMAGE_SPATIAL_SHIFT & 3);
@@ -171,8 +172,8 @@ static void print_image_parts(const struct printer *printer, const struct shader
 
 static void print_image(const struct printer *printer, uint32_t value)
 {
-    static const char *const names[] = {"sample", "fetch",   "gather",    "size",
-                                        "levels", "samples", "query_lod", "load_image"};
+    static const char *const names[] = {"sample",  "fetch",     "gather",     "size",      "levels",
+                                        "samples", "query_lod", "load_image", "image_size"};
     struct shader_node *const node = &printer->program->nodes[value];
     const bool stores = node->op == SHADER_IMAGE_STORE;
     const uint32_t operation = node->immediate & 15;
@@ -187,7 +188,8 @@ static void print_image(const struct printer *printer, uint32_t value)
     }
     const uint32_t coordinates = (node->immediate >> SHADER_IMAGE_SPATIAL_SHIFT & 3) +
                                  ((node->immediate & SHADER_IMAGE_IS_ARRAYED) ? 1 : 0);
-    const bool asks = operation >= SHADER_DO_SIZE && operation <= SHADER_DO_SAMPLES && !stores;
+    const bool asks = !stores && (operation == SHADER_DO_IMAGE_SIZE ||
+                                  (operation >= SHADER_DO_SIZE && operation <= SHADER_DO_SAMPLES));
     for (uint32_t i = 0; !asks && i < coordinates; i++) {
         shader_sink_print(printer->sink, i == 0 ? " at " : " ");
         print_value(printer, operands[SHADER_IMAGE_COORDINATES + i], SHADER_NUMBER_EITHER);
@@ -270,12 +272,6 @@ static void print_operation(const struct printer *printer, uint32_t value)
     }
 }
 
-static bool has_result(enum shader_op op)
-{
-    const enum shader_op_kind kind = shader_op_kind_of(op);
-    return kind == SHADER_KIND_VALUE || kind == SHADER_KIND_READ || op == SHADER_ATOMIC;
-}
-
 static void print_head(const struct shader_sink *sink, const struct shader_program *program)
 {
     const struct shader_entry_point *const entry = program->entry;
@@ -303,7 +299,7 @@ void shader_print(const struct shader_sink *sink, const struct shader_program *p
             shader_print_source_line(sink, lines, program->origins[value], 4 * depth);
         }
         shader_sink_print(sink, "%*s", 4 * depth, "");
-        if (has_result(op) || op == SHADER_REGION || op == SHADER_LOOP) {
+        if (shader_op_has_result(op) || op == SHADER_REGION || op == SHADER_LOOP) {
             print_result(&printer, value);
             shader_sink_print(sink, " = ");
         }

@@ -42,7 +42,8 @@ static const struct shader_variable *find_variable(const struct shader_program *
         const uint32_t first = variable->component < 0 ? 0 : (uint32_t)variable->component;
         const uint32_t own = variable->type->kind == SHADER_VECTOR ? variable->type->count : 1;
         const bool is_one = variable->type->kind <= SHADER_VECTOR;
-        if (variable->storage == storage && variable->location >= 0 && location >= (uint32_t)variable->location &&
+        if (variable->storage == storage && variable->location >= 0 &&
+            location >= (uint32_t)variable->location &&
             location - (uint32_t)variable->location < locations_of(variable->type) && component >= first &&
             (!is_one || component < first + own)) {
             return variable;
@@ -115,6 +116,7 @@ void shader_print_built_in(const struct shader_sink *sink, uint32_t number)
         {"gl_LocalInvocationID", SHADER_IN_LOCAL, 3},
         {"gl_GlobalInvocationID", SHADER_IN_GLOBAL, 3},
         {"gl_LocalInvocationIndex", SHADER_IN_LOCAL_INDEX, 1},
+        {"gl_SubgroupInvocationID", SHADER_IN_LANE, 1},
     };
     print_named(sink, names, sizeof names / sizeof *names, number);
 }
@@ -124,7 +126,8 @@ void shader_print_input(const struct shader_sink *sink, const struct shader_prog
     print_located(sink, program, SPIRV_INPUT, number);
 }
 
-void shader_print_output(const struct shader_sink *sink, const struct shader_program *program, uint32_t number)
+void shader_print_output(const struct shader_sink *sink, const struct shader_program *program,
+                         uint32_t number)
 {
     static const struct built_in_name names[] = {
         {"gl_Position", SHADER_OUT_POSITION, 4},
@@ -171,5 +174,6 @@ void shader_print_resource(const struct shader_sink *sink, const struct shader_p
     const struct shader_variable *const variable = program->resources[number].variable;
     const char *name = program->module->names[variable->id];
     name = name && name[0] != '\0' ? name : program->module->names[program->resources[number].type->id];
-    shader_sink_print(sink, "%.100s (set %d, binding %d)", name ? name : "", variable->set, variable->binding);
+    shader_sink_print(sink, "%.100s (set %d, binding %d)", name ? name : "", variable->set,
+                      variable->binding);
 }

@@ -23,7 +23,7 @@ struct shader_source_lines {
     uint32_t mark_count;
     struct source_text *texts;
     uint32_t text_count;
-    uint32_t file, line; // that were printed last
+    uint32_t file, line; // what was printed last
 };
 
 static bool ends_block(uint32_t opcode)
@@ -178,8 +178,8 @@ static void print_text(const struct shader_sink *sink, const struct shader_sourc
     }
 }
 
-void shader_print_source_line(const struct shader_sink *sink, struct shader_source_lines *lines, uint32_t word,
-                              int indent)
+void shader_print_source_line(const struct shader_sink *sink, struct shader_source_lines *lines,
+                              uint32_t word, int indent)
 {
     const struct source_mark *const mark = word != 0 ? find_mark(lines, word) : NULL;
     if (!mark || mark->line == 0 || (mark->file == lines->file && mark->line == lines->line)) {

@@ -118,7 +118,8 @@ static bool takes(char letter, char given)
 
 // Return true if a type is what a letter asks for. `*count` is the number of components that all have, or 0 before the
 // first is known.
-static bool fits(const struct shader_type *type, const struct shader_type *result, char letter, uint32_t *count)
+static bool fits(const struct shader_type *type, const struct shader_type *result, char letter,
+                 uint32_t *count)
 {
     const bool is_capital = letter >= 'A' && letter <= 'Z';
     if (letter == 't') {
@@ -139,7 +140,8 @@ void shader_check_types(struct shader_builder *builder, const struct shader_type
 {
     uint32_t count = letters[0] == 't' && letter_of(result) != '?' ? result->scalars : 0;
     if (!fits(result, result, letters[0], &count)) {
-        shader_build_refuse(builder, "the instruction has no result of the type of id %u", (unsigned)result->id);
+        shader_build_refuse(builder, "the instruction has no result of the type of id %u",
+                            (unsigned)result->id);
     }
     for (uint32_t i = 0; letters[i + 1] != '\0'; i++) {
         const uint32_t id = shader_operand(builder, first + i);
@@ -178,7 +180,8 @@ static bool is_same_shape(const struct shader_type *a, const struct shader_type 
 void shader_check_operands(struct shader_builder *builder, uint32_t opcode)
 {
     if (opcode == SPIRV_OP_CopyLogical &&
-        !is_same_shape(shader_type_of_value(builder, shader_operand(builder, 3)), shader_result_type(builder))) {
+        !is_same_shape(shader_type_of_value(builder, shader_operand(builder, 3)),
+                       shader_result_type(builder))) {
         shader_build_refuse(builder, "the operand is not made of what the result is made of");
     }
     for (size_t i = 0; i < sizeof signatures / sizeof *signatures; i++) {

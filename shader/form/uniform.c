@@ -12,7 +12,8 @@ static bool is_varying_source(enum shader_op op)
 {
     return op == SHADER_INPUT || op == SHADER_INPUT_DX || op == SHADER_INPUT_DY ||
            op == SHADER_INPUT_BESIDE || op == SHADER_INPUT_BELOW || op == SHADER_BUILT_IN ||
-           op == SHADER_DDX || op == SHADER_DDY || op == SHADER_ATOMIC || op == SHADER_SAMPLE;
+           op == SHADER_DDX || op == SHADER_DDY || op == SHADER_ATOMIC || op == SHADER_IMAGE_ATOMIC ||
+           op == SHADER_SAMPLE || op == SHADER_BALLOT || op == SHADER_SHUFFLE || op == SHADER_SCAN;
 }
 
 // After so many rounds what is still open counts as not uniform, so that no program takes them for every home it has.

@@ -8,10 +8,11 @@
 
 struct shader_uses {
     uint32_t *first_reader, *readers; // by value: where its readers begin; nodes
-    uint32_t *first_set, *sets;       // by home: where its SETs begin; their places in the code, from first to last
+    uint32_t *first_set, *sets; // by home: where its SETs begin; their places in the code, from first to last
 };
 
-// Find the uses of all values in the code. The readers of a home are those of what it holds; a SET reads its value alone.
+// Find the uses of all values in the code. The readers of a home are those of what it holds; a SET reads its value
+// alone.
 void shader_find_uses(const struct shader_program *program, struct shader_uses *uses);
 
 #endif

@@ -115,11 +115,10 @@ static void find_ranges(struct assembler *assembler)
         const uint32_t value = program->code[i];
         struct shader_node *const node = &program->nodes[value];
         const enum shader_op op = (enum shader_op)node->op;
-        const enum shader_op_kind kind = shader_op_kind_of(op);
         if (assembler->pairs.is_taken[value]) {
             continue;
         }
-        if (kind == SHADER_KIND_VALUE || kind == SHADER_KIND_READ || op == SHADER_ATOMIC) {
+        if (shader_op_has_result(op)) {
             extend(&assembler->ranges[value], i);
         }
         uint32_t operand_count;
@@ -342,7 +341,7 @@ static void add_listed(struct assembler *assembler, uint32_t value)
     instruction->immediate = node->immediate;
     instruction->resource = resource_of(assembler, operands[SHADER_IMAGE_TEXTURE]);
     instruction->b.vector = assembler->image_operand_count & 0x7fffffff;
-    if (node->op == SHADER_ATOMIC) {
+    if (node->op == SHADER_ATOMIC || node->op == SHADER_IMAGE_ATOMIC) {
         instruction->result = operand_of(assembler, value);
         instruction->is_uniform = instruction->result.is_uniform;
     } else if (node->immediate & SHADER_IMAGE_HAS_SAMPLER) {
@@ -362,7 +361,7 @@ static void add_node(struct assembler *assembler, uint32_t value)
 {
     const struct shader_node *const node = &assembler->program->nodes[value];
     const enum shader_op op = (enum shader_op)node->op;
-    if (op == SHADER_SAMPLE || op == SHADER_IMAGE_STORE || op == SHADER_ATOMIC) {
+    if (shader_op_has_list(op)) {
         add_listed(assembler, value);
         return;
     }

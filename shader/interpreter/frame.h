@@ -16,6 +16,9 @@ struct frame {
     union vector *registers;
     const struct shader_bytecode *bytecode;
     const struct rhw_shader_frame *bound;
+    const struct rhw_bindings *bindings; // tells whether the program gives the work up
+    uint32_t rounds;                     // of loops
+    bool is_given_up;
     int groups;
     struct rhw_vertex *vertices;               // groups of the batch, or NULL
     struct rhw_fragment *fragments;            // groups of the batch, or NULL

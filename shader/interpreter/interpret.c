@@ -4,6 +4,7 @@
 
 #include "kernel_arithmetic.h"
 #include "kernel_image.h"
+#include "kernel_subgroup.h"
 
 #define ENTRY(name) [SHADER_##name] = run_##name
 static shader_kernel *const kernels[SHADER_COUNT_OPS] = {
@@ -107,6 +108,10 @@ static shader_kernel *const kernels[SHADER_COUNT_OPS] = {
     [SHADER_WORKGROUP] = run_NOTHING,
     [SHADER_BARRIER] = run_NOTHING,
     ENTRY(ATOMIC),
+    ENTRY(IMAGE_ATOMIC),
+    ENTRY(BALLOT),
+    ENTRY(SHUFFLE),
+    ENTRY(SCAN),
 };
 #undef ENTRY
 
@@ -144,6 +149,7 @@ void RHW_ISA_NAME(shader_interpret_vertices)(struct rhw_vertex *groups, int coun
                               .texels = texels,
                               .bytecode = bytecode,
                               .bound = groups[0].uniforms,
+                              .bindings = groups[0].bindings,
                               .groups = left < (int)bytecode->batch ? left : (int)bytecode->batch,
                               .vertices = groups + first};
         for (int i = 0; i < frame.groups; i++) {
@@ -164,6 +170,7 @@ void RHW_ISA_NAME(shader_interpret_fragments)(struct rhw_fragment *groups, int c
                               .texels = texels,
                               .bytecode = bytecode,
                               .bound = groups[0].uniforms,
+                              .bindings = groups[0].bindings,
                               .groups = left < (int)bytecode->batch ? left : (int)bytecode->batch,
                               .fragments = groups + first};
         for (int i = 0; i < frame.groups; i++) {
@@ -185,9 +192,10 @@ void RHW_ISA_NAME(shader_interpret_workgroup)(const struct rhw_workgroup *workgr
                           .texels = texels,
                           .bytecode = bytecode,
                           .bound = workgroup->uniforms,
+                          .bindings = workgroup->bindings,
                           .workgroup = workgroup};
     (void)rhw_binding_of_memory(workgroup->shared, bytecode->workgroup_size, false, &frame.shared);
-    for (int first = 0; first < workgroup->count; first += (int)bytecode->batch) {
+    for (int first = 0; first < workgroup->count && !frame.is_given_up; first += (int)bytecode->batch) {
         const int left = workgroup->count - first;
         frame.groups = left < (int)bytecode->batch ? left : (int)bytecode->batch;
         frame.invocations = workgroup->groups + first;

@@ -85,10 +85,21 @@ static void run_END_REGION(struct frame *frame, const struct shader_instruction 
     }
 }
 
+// A loop may have no end, so the program is asked now and then whether somebody waits for it.
+static bool is_given_up(struct frame *frame)
+{
+    enum { ROUNDS = 256 };
+    frame->rounds++;
+    frame->is_given_up =
+        frame->is_given_up || (frame->rounds % ROUNDS == 0 && rhw_work_is_given_up(frame->bindings));
+    return frame->is_given_up;
+}
+
 static void run_END_LOOP(struct frame *frame, const struct shader_instruction *in)
 {
     if (any_active(frame)) {
-        frame->next = frame->bytecode->code + in->immediate;
+        const struct shader_bytecode *const bytecode = frame->bytecode;
+        frame->next = bytecode->code + (is_given_up(frame) ? bytecode->code_count - 1 : in->immediate);
         return;
     }
     run_END_REGION(frame, in);

@@ -53,55 +53,115 @@ static void read_image_request(const struct frame *frame, const struct shader_op
                                     .bias = flags & SHADER_IMAGE_HAS_BIAS ? &r->bias : NULL};
 }
 
-// Return the binding that lanes name first among `todo`, and which lanes name it. A texture and a sampler of their own
-// are put together in `pair`.
-static const struct rhw_binding *next_binding(const struct frame *frame,
-                                              const struct shader_operand_of *operands,
-                                              const struct shader_instruction *in, int group, rhw_int *todo,
-                                              rhw_int *lanes, struct rhw_binding *pair)
+// The binding that all lanes name, or that of some lanes after the other.
+struct image_binding {
+    const struct rhw_binding *binding;
+    struct rhw_binding pair; // a texture and a sampler of their own are put together here
+};
+
+static void find_image(const struct frame *frame, const struct shader_instruction *in, uint32_t texture,
+                       uint32_t sampler, struct image_binding *found)
 {
+    found->binding = binding_of(frame, in->resource, texture);
+    if (in->immediate & SHADER_IMAGE_HAS_SAMPLER) {
+        const struct rhw_binding *const other = binding_of(frame, in->c.vector, sampler);
+        const bool has_both = found->binding && other;
+        found->binding =
+            has_both && rhw_binding_of_pair(found->binding, other, &found->pair) ? &found->pair : NULL;
+    }
+}
+
+// Find the binding of an instruction whose lanes all name the same. Return false where each may name its own.
+static bool find_one_image(const struct frame *frame, const struct shader_operand_of *operands,
+                           const struct shader_instruction *in, struct image_binding *found)
+{
+    const bool has_sampler = (in->immediate & SHADER_IMAGE_HAS_SAMPLER) != 0;
+    if (!operands[SHADER_IMAGE_TEXTURE].is_uniform ||
+        (has_sampler && !operands[SHADER_IMAGE_SAMPLER].is_uniform)) {
+        return false;
+    }
+    find_image(frame, in, (uint32_t)image_operand(frame, operands, SHADER_IMAGE_TEXTURE, 0)[0],
+               (uint32_t)image_operand(frame, operands, SHADER_IMAGE_SAMPLER, 0)[0], found);
+    return true;
+}
+
+// Find the binding that lanes name first among `todo`. Return which lanes name it.
+static rhw_int find_next_image(const struct frame *frame, const struct shader_operand_of *operands,
+                               const struct shader_instruction *in, int group, rhw_int *todo,
+                               struct image_binding *found)
+{
+    rhw_int lanes;
     const uint32_t texture =
-        (uint32_t)rhw_binding_next(image_operand(frame, operands, SHADER_IMAGE_TEXTURE, group), todo, lanes);
-    const struct rhw_binding *const binding = binding_of(frame, in->resource, texture);
+        (uint32_t)rhw_binding_next(image_operand(frame, operands, SHADER_IMAGE_TEXTURE, group), todo, &lanes);
     if (!(in->immediate & SHADER_IMAGE_HAS_SAMPLER)) {
-        return binding;
+        find_image(frame, in, texture, 0, found);
+        return lanes;
     }
     // Lanes that name another sampler wait for their turn.
-    rhw_int same = *lanes, rest = *lanes;
+    rhw_int same, rest = lanes;
     const uint32_t sampler =
         (uint32_t)rhw_binding_next(image_operand(frame, operands, SHADER_IMAGE_SAMPLER, group), &rest, &same);
     *todo |= rest;
-    *lanes = same;
-    const struct rhw_binding *const other = binding_of(frame, in->c.vector, sampler);
-    return binding && other && rhw_binding_of_pair(binding, other, pair) ? pair : NULL;
+    find_image(frame, in, texture, sampler, found);
+    return same;
 }
 
-static void access_image(const struct rhw_binding *binding, uint32_t flags, struct image_request *r,
-                         rhw_int sample, rhw_float texel[4])
+// Raise the bias as far as the level of detail is below the least that is asked for.
+static void raise_lod(const struct rhw_binding *binding, rhw_float least, struct image_request *r)
 {
-    const int channel = (int)(flags >> SHADER_IMAGE_CHANNEL_SHIFT & 3);
+    rhw_float lod[2];
+    rhw_binding_sample_query_lod(binding, &r->request, lod);
+    const rhw_float bias = r->request.bias ? *r->request.bias : rhw_splat(0.0f);
+    const rhw_int is_below = rhw_less(lod[0], least);
+    r->bias = bias + rhw_select(is_below, rhw_max(least - lod[1], rhw_splat(0.0f)), rhw_splat(0.0f));
+    r->request.bias = &r->bias;
+}
+
+static void fetch_image(const struct rhw_binding *binding, uint32_t flags, struct image_request *r,
+                        rhw_int sample, rhw_float texel[4])
+{
     const rhw_int level = rhw_bits_from_float(r->level);
+    if (flags & SHADER_IMAGE_HAS_SAMPLE) {
+        rhw_binding_sample_fetch_sample(binding, r->whole, &sample, texel);
+    } else {
+        rhw_binding_sample_fetch(binding, r->whole, flags & SHADER_IMAGE_HAS_LOD ? &level : NULL, texel);
+    }
+}
+
+static void query_image(const struct rhw_binding *binding, uint32_t flags, rhw_int level, rhw_float texel[4])
+{
     rhw_int size[3] = {rhw_splat_int(0), rhw_splat_int(0), rhw_splat_int(0)};
     switch ((enum shader_image_operation)(flags & 15)) {
-    case SHADER_DO_SAMPLE: rhw_binding_sample(binding, &r->request, texel); return;
-    case SHADER_DO_GATHER: rhw_binding_sample_gather(binding, &r->request, channel, texel); return;
-    case SHADER_DO_FETCH:
-        if (flags & SHADER_IMAGE_HAS_SAMPLE) {
-            rhw_binding_sample_fetch_sample(binding, r->whole, &sample, texel);
-        } else {
-            rhw_binding_sample_fetch(binding, r->whole, flags & SHADER_IMAGE_HAS_LOD ? &level : NULL, texel);
-        }
-        return;
-    case SHADER_DO_LOAD: rhw_binding_image_load(binding, r->whole, texel); return;
-    case SHADER_DO_QUERY_LOD: rhw_binding_sample_query_lod(binding, &r->request, texel); return;
-    case SHADER_DO_SIZE:
-        rhw_binding_sample_size(binding, flags & SHADER_IMAGE_HAS_LOD ? &level : NULL, size);
-        break;
     case SHADER_DO_LEVELS: size[0] = rhw_splat_int(rhw_binding_sample_levels(binding)); break;
     case SHADER_DO_SAMPLES: size[0] = rhw_splat_int(rhw_binding_sample_samples(binding)); break;
+    case SHADER_DO_IMAGE_SIZE: rhw_binding_image_size(binding, size); break;
+    default: rhw_binding_sample_size(binding, flags & SHADER_IMAGE_HAS_LOD ? &level : NULL, size); break;
     }
     for (int i = 0; i < 3; i++) {
         texel[i] = rhw_float_from_bits(size[i]);
+    }
+    texel[3] = rhw_splat(0.0f);
+}
+
+static void access_image(const struct frame *frame, const struct rhw_binding *binding,
+                         const struct shader_operand_of *operands, uint32_t flags, int group,
+                         rhw_float texel[4])
+{
+    const int channel = (int)(flags >> SHADER_IMAGE_CHANNEL_SHIFT & 3);
+    struct image_request r;
+    read_image_request(frame, operands, flags, group, &r);
+    if (flags & SHADER_IMAGE_HAS_LEAST_LOD) {
+        raise_lod(binding, image_float(frame, operands, SHADER_IMAGE_LEAST_LOD, group), &r);
+    }
+    switch ((enum shader_image_operation)(flags & 15)) {
+    case SHADER_DO_SAMPLE: rhw_binding_sample(binding, &r.request, texel); return;
+    case SHADER_DO_GATHER: rhw_binding_sample_gather(binding, &r.request, channel, texel); return;
+    case SHADER_DO_FETCH:
+        fetch_image(binding, flags, &r, image_operand(frame, operands, SHADER_IMAGE_SAMPLE, group), texel);
+        return;
+    case SHADER_DO_LOAD: rhw_binding_image_load(binding, r.whole, texel); return;
+    case SHADER_DO_QUERY_LOD: rhw_binding_sample_query_lod(binding, &r.request, texel); return;
+    default: query_image(binding, flags, rhw_bits_from_float(r.level), texel); return;
     }
 }
 
@@ -109,23 +169,20 @@ static void run_SAMPLE(struct frame *frame, const struct shader_instruction *in)
 {
     const struct shader_operand_of *const operands = frame->bytecode->image_operands + in->b.vector;
     const union vector *const active = fixed_register(frame, SHADER_ACTIVE);
+    struct image_binding found;
+    const bool is_one = find_one_image(frame, operands, in, &found);
     for (int i = 0; i < frame->groups; i++) {
-        struct image_request request;
         rhw_float *const texels = frame->texels[i];
-        bool is_first = true;
-        if (!rhw_any(active[i].i)) {
+        if (is_one && rhw_any(active[i].i)) {
+            access_image(frame, found.binding, operands, in->immediate, i, texels);
             continue;
         }
-        read_image_request(frame, operands, in->immediate, i, &request);
-        const rhw_int sample = image_operand(frame, operands, SHADER_IMAGE_SAMPLE, i);
-        for (rhw_int todo = active[i].i, lanes; rhw_any(todo); is_first = false) {
-            struct rhw_binding pair;
-            const struct rhw_binding *const binding =
-                next_binding(frame, operands, in, i, &todo, &lanes, &pair);
-            rhw_float texel[4] = {rhw_splat(0.0f), rhw_splat(0.0f), rhw_splat(0.0f), rhw_splat(0.0f)};
-            access_image(binding, in->immediate, &request, sample, texel);
+        for (rhw_int todo = active[i].i; rhw_any(todo);) {
+            rhw_float texel[4];
+            const rhw_int lanes = find_next_image(frame, operands, in, i, &todo, &found);
+            access_image(frame, found.binding, operands, in->immediate, i, texel);
             for (int c = 0; c < 4; c++) {
-                texels[c] = is_first ? texel[c] : rhw_select(lanes, texel[c], texels[c]);
+                texels[c] = rhw_select(lanes, texel[c], texels[c]);
             }
         }
     }
@@ -143,19 +200,43 @@ static void run_IMAGE_STORE(struct frame *frame, const struct shader_instruction
 {
     const struct shader_operand_of *const operands = frame->bytecode->image_operands + in->b.vector;
     const union vector *const active = fixed_register(frame, SHADER_ACTIVE);
+    struct image_binding found;
     for (int i = 0; i < frame->groups; i++) {
-        struct image_request request;
-        read_image_request(frame, operands, in->immediate, i, &request);
-        for (rhw_int todo = active[i].i, lanes; rhw_any(todo);) {
-            struct rhw_binding pair;
-            const struct rhw_binding *const binding =
-                next_binding(frame, operands, in, i, &todo, &lanes, &pair);
-            rhw_float texel[4];
-            for (int c = 0; c < 4; c++) {
-                texel[c] = image_float(frame, operands, SHADER_IMAGE_TEXEL + c, i);
-            }
-            rhw_binding_image_store(binding, request.whole, &lanes, texel);
+        rhw_int at[4];
+        rhw_float texel[4];
+        for (int c = 0; c < 4; c++) {
+            at[c] = image_operand(frame, operands, SHADER_IMAGE_COORDINATES + c, i);
+            texel[c] = image_float(frame, operands, SHADER_IMAGE_TEXEL + c, i);
         }
+        for (rhw_int todo = active[i].i; rhw_any(todo);) {
+            const rhw_int lanes = find_next_image(frame, operands, in, i, &todo, &found);
+            rhw_binding_image_store(found.binding, at, &lanes, texel);
+        }
+    }
+}
+
+static void run_IMAGE_ATOMIC(struct frame *frame, const struct shader_instruction *in)
+{
+    const struct shader_operand_of *const operands = frame->bytecode->image_operands + in->b.vector;
+    const union vector *const active = fixed_register(frame, SHADER_ACTIVE);
+    union vector *const d = &frame->registers[in->result.vector];
+    for (int i = 0; i < frame->groups; i++) {
+        rhw_int v[SHADER_IMAGE_ATOMIC_OPERANDS], result = rhw_splat_int(0);
+        for (int o = 0; o < SHADER_IMAGE_ATOMIC_OPERANDS; o++) {
+            v[o] = image_operand(frame, operands, o, i);
+        }
+        for (rhw_int todo = active[i].i, lanes; rhw_any(todo);) {
+            const uint32_t named = (uint32_t)rhw_binding_next(v[SHADER_IMAGE_ATOMIC_IMAGE], &todo, &lanes);
+            const struct rhw_storage_request request = {.operation = operation_of(in->immediate),
+                                                        .mask = &lanes,
+                                                        .index = &v[SHADER_IMAGE_ATOMIC_COORDINATES],
+                                                        .value = &v[SHADER_IMAGE_ATOMIC_VALUE],
+                                                        .comparand = &v[SHADER_IMAGE_ATOMIC_COMPARAND]};
+            rhw_int before;
+            rhw_binding_image_atomic(binding_of(frame, in->resource, named), &request, &before);
+            result = rhw_select_int(lanes, before, result);
+        }
+        d[i].i = result;
     }
 }
 

@@ -47,6 +47,7 @@ static rhw_int fragment_built_in(const struct rhw_fragment *fragment, uint32_t n
         return rhw_bits_from_float(fragment->point_coord[number - SHADER_IN_POINT_COORD]);
     case SHADER_IN_LAYER: return fragment->layer;
     case SHADER_IN_VIEWPORT: return fragment->viewport_index;
+    case SHADER_IN_LANE: return rhw_lane_numbers();
     default: return rhw_splat_int(0);
     }
 }
@@ -56,7 +57,7 @@ static rhw_int invocation_built_in(const struct frame *frame, int group, uint32_
     const struct rhw_invocations *const group_of = &frame->invocations[group];
     const struct rhw_workgroup *const workgroup = frame->workgroup;
     if (number >= SHADER_IN_LOCAL_INDEX) {
-        return group_of->index;
+        return number == SHADER_IN_LANE ? rhw_lane_numbers() : group_of->index;
     }
     if (number >= SHADER_IN_GLOBAL) {
         return group_of->id[number - SHADER_IN_GLOBAL];
@@ -81,6 +82,7 @@ static void run_BUILT_IN(struct frame *frame, const struct shader_instruction *i
             d[i].i = fragment_built_in(&frame->fragments[i], in->immediate);
         } else {
             d[i].i = in->immediate == SHADER_IN_INSTANCE_INDEX ? frame->vertices[i].instance_index
+                     : in->immediate == SHADER_IN_LANE         ? rhw_lane_numbers()
                                                                : frame->vertices[i].vertex_index;
         }
     }

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 // See pairs.h.
 //
-// The product is computed where the sum is, which is right if its factors are what they were. Values stay; a HOME changes
-// by a SET. Both stand in a piece of code without structure, so that the same lanes are active.
+// The product is computed where the sum is. That is right where its factors are what they were: values stay, and a HOME
+// changes by a SET alone. Product and sum stand in one piece of code without structure, so the same lanes are active.
 #include "pairs.h"
 
 // What is known of values on the way through the code.
 struct walk {
     uint32_t *use_count; // by value
     uint32_t *place;     // by value: where it is computed, or for a HOME where it was set last; plus 1
-    uint32_t begin;      // of the piece of code
+    uint32_t begin;      // where the piece of code begins
 };
 
 static uint32_t *count_uses(const struct shader_program *program)
@@ -17,8 +17,7 @@ static uint32_t *count_uses(const struct shader_program *program)
     uint32_t *const use_count = shader_take(program->memory, program->node_count, sizeof *use_count);
     for (uint32_t i = 0; i < program->code_count; i++) {
         uint32_t count;
-        const uint32_t *const operands =
-            shader_operands(program, &program->nodes[program->code[i]], &count);
+        const uint32_t *const operands = shader_operands(program, &program->nodes[program->code[i]], &count);
         for (uint32_t o = 0; o < count; o++) {
             use_count[operands[o]]++;
         }
@@ -64,8 +63,8 @@ void shader_find_pairs(struct shader_program *program, struct shader_pairs *pair
     }
 }
 
-uint32_t shader_pair_at(const struct shader_pairs *pairs, const struct shader_program *program, uint32_t value,
-                        uint32_t operands[3])
+uint32_t shader_pair_at(const struct shader_pairs *pairs, const struct shader_program *program,
+                        uint32_t value, uint32_t operands[3])
 {
     const struct shader_node *const node = &program->nodes[value];
     if (pairs->product[value] == 0) {
@@ -78,7 +77,7 @@ uint32_t shader_pair_at(const struct shader_pairs *pairs, const struct shader_pr
     operands[0] = factors->operands[first];
     operands[1] = factors->operands[1 - first];
     operands[2] = node->operands[node->operands[0] == product ? 1 : 0];
-    return node->op == SHADER_FADD         ? (uint32_t)SHADER_MUL_ADD
+    return node->op == SHADER_FADD        ? (uint32_t)SHADER_MUL_ADD
            : node->operands[0] == product ? (uint32_t)SHADER_MUL_SUB
                                           : (uint32_t)SHADER_SUB_MUL;
 }

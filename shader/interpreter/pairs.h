@@ -16,7 +16,7 @@ struct shader_pairs {
 void shader_find_pairs(struct shader_program *program, struct shader_pairs *pairs);
 // Return the instruction of a sum or difference that takes in a product, and set `operands` to the two factors and the
 // other operand. Return 0 for any other value.
-uint32_t shader_pair_at(const struct shader_pairs *pairs, const struct shader_program *program, uint32_t value,
-                        uint32_t operands[3]);
+uint32_t shader_pair_at(const struct shader_pairs *pairs, const struct shader_program *program,
+                        uint32_t value, uint32_t operands[3]);
 
 #endif

@@ -146,7 +146,7 @@ static void print_instruction(const struct printer *printer, uint32_t number)
         print_register(printer, instruction->result);
     }
     print_immediate(printer, instruction);
-    const bool is_listed = op == SHADER_SAMPLE || op == SHADER_IMAGE_STORE || op == SHADER_ATOMIC;
+    const bool is_listed = op < SHADER_END && shader_op_has_list((enum shader_op)op);
     if (is_listed || op == SHADER_LOAD || op == SHADER_STORE || op == SHADER_LENGTH) {
         print_resource(printer, instruction->resource);
     }

@@ -26,9 +26,41 @@ static void find_qualifiers(const struct shader_program *program, struct shader_
     }
 }
 
+// Return by value whether something reads it.
+static const bool *find_read(const struct shader_program *program)
+{
+    bool *const is_read = shader_take(program->memory, program->node_count, sizeof *is_read);
+    for (uint32_t i = 0; i < program->code_count; i++) {
+        uint32_t count;
+        const uint32_t *const operands = shader_operands(program, &program->nodes[program->code[i]], &count);
+        for (uint32_t o = 0; o < count; o++) {
+            is_read[operands[o]] = true;
+        }
+    }
+    return is_read;
+}
+
+// The order of atomics shows in what they return, and where they exchange words. The memory of a workgroup is nobody
+// else's.
+static void find_atomic(const struct shader_program *program, uint32_t value, const bool *is_read,
+                        struct shader_interface *interface)
+{
+    struct shader_node *const node = &program->nodes[value];
+    uint32_t count;
+    const uint32_t *const operands = shader_operands(program, node, &count);
+    if (program->nodes[operands[0]].op == SHADER_WORKGROUP) {
+        return;
+    }
+    interface->has_effects = interface->has_effects || node->immediate != SHADER_ATOMIC_LOAD;
+    interface->uses_atomic_results =
+        interface->uses_atomic_results || is_read[value] || node->immediate == SHADER_ATOMIC_STORE ||
+        node->immediate == SHADER_ATOMIC_EXCHANGE || node->immediate == SHADER_ATOMIC_COMPARE_EXCHANGE;
+}
+
 void shader_find_interface(const struct shader_program *program, struct shader_interface *interface)
 {
     *interface = (struct shader_interface){.discards = false};
+    const bool *const is_read = find_read(program);
     find_qualifiers(program, interface);
     for (uint32_t i = 0; i < program->code_count; i++) {
         const struct shader_node *const node = &program->nodes[program->code[i]];
@@ -45,7 +77,8 @@ void shader_find_interface(const struct shader_program *program, struct shader_i
         case SHADER_DISCARD: interface->discards = true; break;
         case SHADER_STORE:
         case SHADER_IMAGE_STORE: interface->has_effects = true; break;
-        case SHADER_ATOMIC: interface->has_effects = interface->uses_atomic_results = true; break;
+        case SHADER_ATOMIC:
+        case SHADER_IMAGE_ATOMIC: find_atomic(program, program->code[i], is_read, interface); break;
         default: break;
         }
     }

@@ -6,8 +6,8 @@
 #include "interpreter/print_bytecode.h"
 #include "shader.h"
 
-static void print(struct shader_memory *memory, const struct shader_sink *sink, const void *words, size_t size,
-                  const struct rhw_shader_def *def, enum rhw_shader_stop stop)
+static void print(struct shader_memory *memory, const struct shader_sink *sink, const void *words,
+                  size_t size, const struct rhw_shader_def *def, enum rhw_shader_stop stop)
 {
     struct shader_program *const form = shader_build_form(memory, words, size, def);
     if (stop != RHW_SHADER_BUILT) {

@@ -4,25 +4,12 @@
 #include <string.h>
 
 #include "interpreter/interpret.h"
+#include "program.h"
 #include "rhw/isa.h"
-#include "shader.h"
 
 RHW_ISA_DECLARE(rhw_vertex_function, shader_interpret_vertices);
 RHW_ISA_DECLARE(rhw_fragment_function, shader_interpret_fragments);
 RHW_ISA_DECLARE(rhw_workgroup_function, shader_interpret_workgroup);
-
-enum { STAGES = RHW_SHADER_STAGE_COUNT, MAX_TARGETS = RHW_MAX_COLOR_ATTACHMENTS };
-
-struct rhw_shader_program {
-    const rhw_shader *shaders[STAGES];
-    struct shader_bytecode bytecode[STAGES]; // the shaders' own, with slots and components
-    struct shader_slot *slots[STAGES];
-    struct shader_stages stages;
-    struct rhw_shader_layout *layout; // by set and binding, each once
-    uint32_t layout_count;
-    struct rhw_program program;
-    struct rhw_compute_program compute;
-};
 
 // Layout ---------------------------------------------------------------------------------------------
 

@@ -56,8 +56,8 @@ struct use {
 static void mark_written(const struct shader_program *form, struct use *uses, uint32_t value)
 {
     const struct shader_node *const node = &form->nodes[value];
-    for (uint32_t r = 0; node->op != SHADER_BUFFER && node->op != SHADER_WORKGROUP && r < form->resource_count;
-         r++) {
+    for (uint32_t r = 0;
+         node->op != SHADER_BUFFER && node->op != SHADER_WORKGROUP && r < form->resource_count; r++) {
         uses[r].is_written = true; // nothing tells which it is
     }
     if (node->op == SHADER_BUFFER) {
@@ -230,7 +230,7 @@ static const struct rhw_shader_variable *reflect_variables(rhw_shader *shader,
     return list.variables;
 }
 
-// The struct of push constants, where code reaches it.
+// Tell the block of push constants, where code reaches one.
 static void reflect_push_constants(rhw_shader *shader)
 {
     const struct shader_program *const form = shader->form;

@@ -76,8 +76,7 @@ const struct rhw_shader_type *shader_reflect_type(rhw_shader *shader, const stru
         return shader->types[type->id];
     }
     struct rhw_shader_type *const told = shader_take(&shader->memory, 1, sizeof *told);
-    struct rhw_shader_member *const members =
-        shader_take(&shader->memory, type->count, sizeof *members);
+    struct rhw_shader_member *const members = shader_take(&shader->memory, type->count, sizeof *members);
     shader->types[type->id] = told;
     const char *const name = module->names[type->id];
     *told = (struct rhw_shader_type){

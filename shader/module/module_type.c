@@ -149,8 +149,10 @@ static void read_struct(struct shader_module *module, uint32_t word, struct shad
     bool has_values = true;
     uint64_t scalars = 0, end = 0;
     for (uint32_t i = 0; i < type->count; i++) {
-        members[i] = (struct shader_member){
-            .type = shader_type_of_id(module, word, module->words[word + 2 + i]), .built_in = -1, .location = -1};
+        members[i] =
+            (struct shader_member){.type = shader_type_of_id(module, word, module->words[word + 2 + i]),
+                                   .built_in = -1,
+                                   .location = -1};
     }
     decorate_members(module, type->id, members, type->count);
     for (uint32_t i = 0; i < type->count; i++) {

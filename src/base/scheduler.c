@@ -339,6 +339,11 @@ uint64_t rhw_scheduler_run(struct rhw_scheduler *scheduler, rhw_task_function *t
     return busy_ns;
 }
 
+bool rhw_scheduler_is_caller(const struct rhw_scheduler *scheduler)
+{
+    return atomic_load_explicit(&scheduler->caller, memory_order_relaxed) == rhw_thread_id();
+}
+
 bool rhw_scheduler_runs_here(const struct rhw_scheduler *scheduler)
 {
     const uintptr_t self = rhw_thread_id();

@@ -26,6 +26,9 @@ uint64_t rhw_scheduler_run(struct rhw_scheduler *scheduler, rhw_task_function *t
 // Set what the caller of rhw_scheduler_run does every 10 ms while it waits for the last tasks of others. NULL: nothing.
 void rhw_scheduler_set_idle(struct rhw_scheduler *scheduler, void (*idle)(void *user), void *user);
 
+// Return true if the calling thread is the one that called rhw_scheduler_run.
+bool rhw_scheduler_is_caller(const struct rhw_scheduler *scheduler);
+
 // Return true if the calling thread is in a task of this scheduler.
 bool rhw_scheduler_runs_here(const struct rhw_scheduler *scheduler);
 

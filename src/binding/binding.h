@@ -12,6 +12,7 @@
 #include "rhw/shader.h"
 #include "storage.h"
 
+struct rhw_context;
 struct rhw_texture_data;
 struct rhw_sampler_data;
 
@@ -77,6 +78,7 @@ struct rhw_bindings {
     const struct rhw_kernels *kernels;
     struct rhw_sample_site site;
     const struct rhw_storage *storage;
+    struct rhw_context *asked; // its program decides whether functions go on; NULL: nobody is asked
     // True for a function under validation whose program does not declare its effects.
     bool drops_effects;
     int slot_count; // slots from here on have nothing, and there may be no memory for them

@@ -119,6 +119,13 @@ uint32_t rhw_binding_storage_count(const struct rhw_binding *binding)
     return words_of(binding, RHW_STORAGE_LOAD).count;
 }
 
+const uint32_t *rhw_binding_storage_words(const struct rhw_binding *binding, uint32_t *count)
+{
+    const struct rhw_storage_words range = words_of(binding, RHW_STORAGE_LOAD);
+    *count = range.words ? range.count : 0;
+    return range.words;
+}
+
 // Images -------------------------------------------------------------------------------------------------
 
 // Return a binding of an image. Return one of nothing to an operation that changes it where it is for reading.

@@ -81,17 +81,21 @@ static uint32_t *word_at(const struct rhw_storage_image *image, const int32_t *a
     return inside ? (uint32_t *)(void *)image->texels + at[0] : NULL;
 }
 
-static bool has_atomics(const struct rhw_storage_image *image)
+// Floats are moved, and not computed with.
+static bool has_atomic(const struct rhw_storage_image *image, enum rhw_storage_operation operation)
 {
+    const bool moves =
+        operation == RHW_STORAGE_LOAD || operation == RHW_STORAGE_STORE || operation == RHW_STORAGE_EXCHANGE;
     return image->info && (image->info == rhw_format_info(RHW_FORMAT_R32_UINT) ||
-                           image->info == rhw_format_info(RHW_FORMAT_R32_SINT));
+                           image->info == rhw_format_info(RHW_FORMAT_R32_SINT) ||
+                           (moves && image->info == rhw_format_info(RHW_FORMAT_R32_FLOAT)));
 }
 
 void rhw_bound_image_atomic(const struct rhw_storage_image *image, const struct rhw_storage_request *request,
                             rhw_int *before)
 {
     const rhw_int mask = request->mask ? *request->mask : rhw_splat_int(-1);
-    unsigned left = has_atomics(image) ? (unsigned)rhw_mask_bits(mask) : 0;
+    unsigned left = has_atomic(image, request->operation) ? (unsigned)rhw_mask_bits(mask) : 0;
     rhw_int result = rhw_splat_int(0);
     for (; left != 0; left &= left - 1) {
         const int lane = __builtin_ctz(left);
@@ -155,7 +159,7 @@ void rhw_bound_image_store1(const struct rhw_kernels *kernels, const struct rhw_
 int32_t rhw_bound_image_atomic1(const struct rhw_storage_image *image, enum rhw_storage_operation operation,
                                 const int32_t *at, int32_t value, int32_t comparand)
 {
-    uint32_t *const word = has_atomics(image) ? word_at(image, at, 1) : NULL;
+    uint32_t *const word = has_atomic(image, operation) ? word_at(image, at, 1) : NULL;
     return word ? rhw_storage_word(word, operation, (uint32_t)value, (uint32_t)comparand) : 0;
 }
 

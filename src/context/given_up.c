@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "given_up.h"
 
+#include "base/scheduler.h"
 #include "base/thread.h"
 
 // A look at the clock costs as much as one group of a simple function. So as long as looks come soon one after the
@@ -32,6 +33,15 @@ bool rhw_context_is_given_up(struct rhw_context *context, int worker)
         atomic_store_explicit(&context->given_up, true, memory_order_relaxed);
     }
     return given_up;
+}
+
+bool rhw_context_is_given_up_within(struct rhw_context *context)
+{
+    if (!context->goes_on) {
+        return false;
+    }
+    const int worker = rhw_scheduler_is_caller(context->scheduler) ? 0 : 1;
+    return rhw_context_is_given_up_amid(context, worker, GROUPS_MOST);
 }
 
 bool rhw_context_is_given_up_amid(struct rhw_context *context, int worker, int groups)

@@ -15,6 +15,10 @@ enum { RHW_ASKED_BYTES = 1 << 20 };
 // program, on the program's own thread; the others hear of it.
 bool rhw_context_is_given_up(struct rhw_context *context, int worker);
 
+// Return true if the program gives up the work that is under way. A shader function asks while it runs, on any thread,
+// some thousand times a second. The program itself is asked every 10 ms.
+bool rhw_context_is_given_up_within(struct rhw_context *context);
+
 // Return true if the program gives up the work that is under way. A task of a pass asks before each call of a shader
 // function, for `groups` groups. The program itself is asked every 10 ms, or before each call that takes longer.
 bool rhw_context_is_given_up_amid(struct rhw_context *context, int worker, int groups);

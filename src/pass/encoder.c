@@ -45,6 +45,7 @@ void rhw_encoder_renew(struct rhw_encoder *encoder)
         .context = encoder->context, .pass = encoder->pass, .out_of_memory = &encoder->out_of_memory};
     memset(&encoder->bound, 0, sizeof encoder->bound);
     encoder->slots.kernels = encoder->context->kernels;
+    encoder->slots.asked = encoder->context->owner ? encoder->context->owner : encoder->context;
     encoder->slots.slot_count = 0;
     encoder->bindings_changed = encoder->storage_changed = true;
     rhw_recording_next(recording);

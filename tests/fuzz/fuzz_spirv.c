@@ -22,8 +22,8 @@
 #include "spirv_mutation.h"
 
 enum {
-    POOL = 512,      // modules that others are made of
-    SIZE = 8,        // of the target, and invocations of a dispatch in x
+    POOL = 512, // modules that others are made of
+    SIZE = 8,   // of the target, and invocations of a dispatch in x
     MAX_ELEMENTS = 64,
     TIME_LIMIT = 20, // seconds for a module
     SLOW = 2         // seconds that are too long for one
@@ -105,7 +105,8 @@ static void fill_binding(struct fuzz *fuzz, enum rhw_shader_resource_kind kind, 
         (void)rhw_binding_of_image(fuzz->context, fuzz->texture, 0, false, binding);
         break;
     case RHW_SHADER_TEXEL_BUFFER:
-        (void)rhw_binding_of_texel_memory(RHW_ISA_BASELINE, fuzz->memory, 256, RHW_FORMAT_R32_UINT, false, binding);
+        (void)rhw_binding_of_texel_memory(RHW_ISA_BASELINE, fuzz->memory, 256, RHW_FORMAT_R32_UINT, false,
+                                          binding);
         break;
     default: (void)rhw_binding_of_texture(fuzz->context, fuzz->texture, fuzz->sampler, binding); break;
     }
@@ -137,7 +138,8 @@ static bool bind(struct fuzz *fuzz, const rhw_shader_program *program, const rhw
 
 // Running --------------------------------------------------------------------------------------------
 
-static void dispatch(struct fuzz *fuzz, const rhw_shader_program *program, const struct rhw_shader_frame *frame)
+static void dispatch(struct fuzz *fuzz, const rhw_shader_program *program,
+                     const struct rhw_shader_frame *frame)
 {
     const struct rhw_dispatch_def def = {.program = *rhw_shader_program_get_compute(program),
                                          .uniforms = frame,
@@ -198,11 +200,6 @@ static void run(struct fuzz *fuzz, const rhw_shader *shader, enum rhw_shader_sta
         return;
     }
     fuzz->linked++;
-#ifdef NO_LOOPS
-    for (size_t i = 5; i < SPIRV_MUTATION_ROOM && fuzz->shown[i] >> 16; i += fuzz->shown[i] >> 16) {
-        if ((fuzz->shown[i] & 0xffff) == 246) { rhw_shader_program_destroy(program); return; }
-    }
-#endif
     if (bind(fuzz, program, shader, &frame)) {
         fuzz->ran++;
         give_up_at = seconds() + 0.2;
@@ -230,7 +227,8 @@ static bool try(struct fuzz *fuzz, const uint32_t *words, size_t count)
         const struct rhw_shader_def def = {.stage = (enum rhw_shader_stage)stage};
         char message[RHW_SHADER_MESSAGE];
         rhw_shader *shader;
-        const enum rhw_result result = rhw_shader_create(words, count * sizeof *words, &def, &shader, message);
+        const enum rhw_result result =
+            rhw_shader_create(words, count * sizeof *words, &def, &shader, message);
         if (result != RHW_OK) {
             check_message(message, result);
             continue;
@@ -257,7 +255,8 @@ static bool read_module(const char *path, struct spirv_words *module)
     }
     module->count = fread(module->words, sizeof(uint32_t), SPIRV_MUTATION_ROOM, stream);
     fclose(stream);
-    while (module->count > 5 && module->words[module->count - 1] == 0) { // what follows a module that was kept
+    while (module->count > 5 &&
+           module->words[module->count - 1] == 0) { // what follows a module that was kept
         module->count--;
     }
     return module->count >= 5;

@@ -27,10 +27,9 @@ uint32_t spirv_pick(uint64_t *state, uint32_t count)
 
 static uint32_t extreme(uint64_t *state)
 {
-    static const uint32_t numbers[] = {0,    1,     2,          3,          4,          7,          8,
-                                       16,   31,    32,         33,         64,         0xff,       0xffff,
-                                       1024, 65536, 0x3f800000, 0x7f800000, 0x7fc00000, 0x7fffffff, 0x80000000,
-                                       ~3u,  ~0u};
+    static const uint32_t numbers[] = {
+        0,    1,      2,    3,     4,          7,          8,          16,         31,         32,  33, 64,
+        0xff, 0xffff, 1024, 65536, 0x3f800000, 0x7f800000, 0x7fc00000, 0x7fffffff, 0x80000000, ~3u, ~0u};
     return numbers[spirv_pick(state, sizeof numbers / sizeof *numbers)];
 }
 
@@ -97,7 +96,9 @@ static uint32_t make(uint64_t *state, struct spirv_words *module, uint32_t *word
     uint32_t count = 1;
     for (const char *letter = instruction->operands; *letter != '\0' && count < MAX_OPERANDS; letter++) {
         const char quantifier = letter[1] == '?' || letter[1] == '*' ? letter[1] : '\0';
-        uint32_t repeats = quantifier == '*' ? spirv_pick(state, 5) : quantifier == '?' ? spirv_pick(state, 2) : 1;
+        uint32_t repeats = quantifier == '*'   ? spirv_pick(state, 5)
+                           : quantifier == '?' ? spirv_pick(state, 2)
+                                               : 1;
         for (; repeats > 0 && count < MAX_OPERANDS; repeats--) {
             switch (*letter) {
             case 'R': words[count++] = module->words[3]++; break;
@@ -161,7 +162,8 @@ static void change_length(uint64_t *state, struct spirv_words *module, uint32_t 
     }
 }
 
-static void copy_instruction(struct spirv_words *module, uint32_t to, const struct spirv_words *from, uint32_t at)
+static void copy_instruction(struct spirv_words *module, uint32_t to, const struct spirv_words *from,
+                             uint32_t at)
 {
     uint32_t copy[MAX_OPERANDS];
     const uint32_t length = length_at(from, at);
@@ -236,18 +238,26 @@ void spirv_generate(uint64_t *state, struct spirv_words *module)
 {
     // Capability Shader, memory model, and %1 as "main" of compute with types and constants that random operands meet.
     static const uint32_t frame[] = {
-        0x07230203, 0x10300, 0, 32, 0,                              // header
-        0x20011, 1, 0x3000e, 0, 1, 0x5000f, 5, 1, 0x6e69616d, 0,    // Capability, MemoryModel, EntryPoint
-        0x60010, 1, 17, 8, 1, 1,                                    // ExecutionMode LocalSize
-        0x40047, 13, 34, 0, 0x40047, 13, 33, 0, 0x30047, 11, 2,     // set and binding of %13, Block of %11
-        0x50048, 11, 0, 35, 0, 0x40047, 10, 6, 4,                   // Offset 0, ArrayStride 4
-        0x20013, 2, 0x30021, 3, 2, 0x20014, 4,                      // void, function, bool
-        0x40015, 5, 32, 0, 0x30016, 6, 32, 0x40017, 7, 6, 4,        // uint, float, vec4
-        0x4002b, 5, 8, 0, 0x4002b, 6, 9, 0x3f800000,                // 0, 1.0
-        0x3001d, 10, 5, 0x3001e, 11, 10, 0x40020, 12, 12, 11,       // array, structure, pointer
-        0x4003b, 12, 13, 12, 0x40020, 14, 12, 5, 0x40020, 15, 7, 7, // variable, pointers
-        0x30029, 4, 16, 0x7002c, 7, 17, 9, 9, 9, 9,                 // true, vec4
-        0x50036, 2, 1, 0, 3, 0x200f8, 18, 0x4003b, 15, 19, 7,       // function, label, variable
+        0x07230203, 0x10300, 0,       32,      0, // header
+        0x20011,    1,       0x3000e, 0,       1,       0x5000f, 5,       1,
+        0x6e69616d, 0,                                     // Capability, MemoryModel, EntryPoint
+        0x60010,    1,       17,      8,       1,       1, // ExecutionMode LocalSize
+        0x40047,    13,      34,      0,       0x40047, 13,      33,      0,
+        0x30047,    11,      2, // set and binding of %13, Block of %11
+        0x50048,    11,      0,       35,      0,       0x40047, 10,      6,
+        4,                                                          // Offset 0, ArrayStride 4
+        0x20013,    2,       0x30021, 3,       2,       0x20014, 4, // void, function, bool
+        0x40015,    5,       32,      0,       0x30016, 6,       32,      0x40017,
+        7,          6,       4,                                                       // uint, float, vec4
+        0x4002b,    5,       8,       0,       0x4002b, 6,       9,       0x3f800000, // 0, 1.0
+        0x3001d,    10,      5,       0x3001e, 11,      10,      0x40020, 12,
+        12,         11, // array, structure, pointer
+        0x4003b,    12,      13,      12,      0x40020, 14,      12,      5,
+        0x40020,    15,      7,       7, // variable, pointers
+        0x30029,    4,       16,      0x7002c, 7,       17,      9,       9,
+        9,          9, // true, vec4
+        0x50036,    2,       1,       0,       3,       0x200f8, 18,      0x4003b,
+        15,         19,      7, // function, label, variable
     };
     static const uint32_t end[] = {0x100fd, 0x10038};
     uint32_t words[MAX_OPERANDS];

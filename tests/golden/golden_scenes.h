@@ -89,6 +89,10 @@ golden_draw_function golden_storage_draw; ///< lists of fragments by atomics, ve
 // golden_dispatch.c
 golden_draw_function golden_dispatch_draw; ///< workgroups, and what they and draws get of atomics
 
+// golden_glsl.c
+golden_draw_function
+    golden_glsl_draw; ///< translated shaders; 0: a sphere, 1: four targets and lights, 2: a dispatch
+
 // golden_gallery.c: models as `rhw render` draws them, with all its outputs
 golden_draw_function golden_gallery_draw; ///< every kind of material and light; numbers are views
 golden_draw_function golden_model_draw;   ///< real models that stand in models/; numbers are models

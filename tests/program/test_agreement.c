@@ -24,21 +24,29 @@ static const struct bench_scene_entry *entry_of(const char *name)
     return NULL;
 }
 
+// Draws the scene with a renderer, which is closed then; the caller frees the image.
+static struct bench_image draw_with(struct bench_renderer *renderer, const struct bench_scene *scene)
+{
+    struct bench_image image = {.width = WIDTH, .height = HEIGHT};
+    image.color = scene->has_color ? calloc(PIXELS, 4) : NULL;
+    image.depth = scene->has_color ? NULL : calloc(PIXELS, sizeof *image.depth);
+    if (!renderer->take(renderer, scene, WIDTH, HEIGHT)) {
+        fail_msg("cannot take the scene: %s", renderer->why);
+    }
+    assert_true(renderer->frame(renderer));
+    assert_true(renderer->read(renderer, &image));
+    renderer->release(renderer);
+    renderer->close(renderer);
+    return image;
+}
+
 // Draws the scene with rhw; the caller frees the image.
 static struct bench_image draw(const struct bench_scene *scene)
 {
-    struct bench_image image = {.width = WIDTH, .height = HEIGHT};
-    struct bench_renderer renderer;
+    struct bench_renderer renderer = {0};
     const char *why;
-    image.color = scene->has_color ? calloc(PIXELS, 4) : NULL;
-    image.depth = scene->has_color ? NULL : calloc(PIXELS, sizeof *image.depth);
     assert_true(bench_open_rhw(&renderer, 1, RHW_ISA_COUNT, &why));
-    assert_true(renderer.take(&renderer, scene, WIDTH, HEIGHT));
-    assert_true(renderer.frame(&renderer));
-    assert_true(renderer.read(&renderer, &image));
-    renderer.release(&renderer);
-    renderer.close(&renderer);
-    return image;
+    return draw_with(&renderer, scene);
 }
 
 static void drop(struct bench_image *image)
@@ -183,6 +191,50 @@ static void test_missing_lines_points_and_instances_are_noticed(void **state)
     assert_false(against_spoiled("particles", leave_out_instances).agrees);
 }
 
+// Of `name`: what translated shaders draw against what those in C draw.
+static struct bench_agreement against_translated(const char *name)
+{
+    struct bench_scene scene;
+    struct bench_renderer renderer = {0};
+    char why[128];
+    const char *why_not;
+    if (!bench_open_translated(&renderer, 1, RHW_ISA_COUNT, &why_not)) {
+        skip(); // the build has no glslangValidator
+    }
+    assert_true(bench_scene_make(entry_of(name), &scene, WIDTH, HEIGHT, why, sizeof why));
+    struct bench_image translated = draw_with(&renderer, &scene), compiled = draw(&scene);
+    const struct bench_agreement result = bench_agree(&compiled, &translated, &scene.tolerance);
+    drop(&translated);
+    drop(&compiled);
+    bench_scene_free(&scene);
+    return result;
+}
+
+// Each shader that a scene without a file has, once.
+static void test_translated_shaders_draw_the_same_bytes(void **state)
+{
+    static const char *const names[] = {
+        "fill_flat",         "fill_literal",       "fill_color",         "fill_blend",
+        "fill_tex",          "fill_aniso",         "sphere_10k",         "sphere_82k_flat",
+        "sphere_1m_tex",     "shadow_volumes",     "shadow_map",         "reflection",
+        "deferred",          "particles",          "transmission",       "cliffs_coord_slopes_fill",
+        "cliffs_coord_mesh", "cliffs_slopes_mesh", "cliffs_screen_mesh", "cliffs_discard_mesh",
+        "cliffs_move_fill",  "cliffs_sample4_fill"};
+    (void)state;
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+        if (!against_translated(names[i]).is_equal) {
+            fail_msg("%s is not equal", names[i]);
+        }
+    }
+}
+
+// The shader in C sorts and adds up in another order.
+static void test_translated_shaders_agree_where_formulas_have_another_order(void **state)
+{
+    (void)state;
+    assert_true(against_translated("hair").agrees);
+}
+
 static void test_what_is_tolerated_is_exactly_what_is_stated(void **state)
 {
     (void)state;
@@ -241,6 +293,8 @@ int main(void)
         cmocka_unit_test(test_other_colors_are_noticed),
         cmocka_unit_test(test_missing_passes_are_noticed),
         cmocka_unit_test(test_missing_lines_points_and_instances_are_noticed),
+        cmocka_unit_test(test_translated_shaders_draw_the_same_bytes),
+        cmocka_unit_test(test_translated_shaders_agree_where_formulas_have_another_order),
         cmocka_unit_test(test_what_is_tolerated_is_exactly_what_is_stated),
         cmocka_unit_test(test_depths_that_are_no_numbers_differ),
         cmocka_unit_test(test_median),

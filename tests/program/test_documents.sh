@@ -11,7 +11,7 @@ bash_says() { # WORD...: how bash completes the last one
         sed 's/=$//' | sort | tr '\n' ' '
 }
 
-for verb in render thumbs compare explain view info bench; do
+for verb in render thumbs compare explain view info shader bench; do
     succeed $verb --help
     options=$(grep -oE '^  (-.,|   ) --[a-z-]+' "$folder/log/out" | grep -oE -- '--[a-z-]+')
     check "$verb has options" test -n "$options"
@@ -35,7 +35,7 @@ for verb in render thumbs compare explain view info bench; do
     *) check "completion of $verb" test "$completed" = "$(echo "$options" | sort | tr '\n' ' ')" ;;
     esac
 done
-verbs="render thumbs compare explain view info bench"
+verbs="render thumbs compare explain view info shader bench"
 check "completion of verbs" test "$(bash_says '')" = "$(printf '%s\n' $verbs help --help --version | sort | tr '\n' ' ')"
 check "completion of help" test "$(bash_says help '')" = "$(printf '%s\n' $verbs | sort | tr '\n' ' ')"
 check "completion of a beginning" test "$(bash_says he)$(bash_says explain --si)$(bash_says view --full)" = "help --size --fullscreen "
@@ -54,8 +54,8 @@ if command -v zsh >/dev/null 2>&1; then
         'rhw info --' 'rhw explain --siz' 'rhw explain --wireframe=' 'rhw view --samples ' 'rhw view mod' 'rhw view --full' \
         'rhw render --stats=mod' 'rhw render --output=depth,n' 'rhw render --output depth,n' 'rhw bench --scene fill_c' >said 2>&1
     cat >want <<'SAID'
---help --version bench compare explain help info render thumbs view
-bench compare explain info render thumbs view
+--help --version bench compare explain help info render shader thumbs view
+bench compare explain info render shader thumbs view
 --help --json
 --size
 over plain
@@ -77,7 +77,7 @@ if command -v fish >/dev/null 2>&1; then
     fish_says() { # WORDS: how fish completes them, a line each
         fish --no-config -c "source $root/tools/rhw/completion/rhw.fish; complete -C '$1'" 2>&1 | cut -f 1 | tr '\n' ' '
     }
-    check "fish: verbs" test "$(fish_says 'rhw ')" = "bench compare explain help info render thumbs view "
+    check "fish: verbs" test "$(fish_says 'rhw ')" = "bench compare explain help info render shader thumbs view "
     check "fish: options" test "$(fish_says 'rhw info --')" = "--help --json "
     check "fish: options of render" test "$(fish_says 'rhw explain --siz')" = "--size "
     check "fish: a verb's name elsewhere" test "$(fish_says 'rhw info view --')" = "--help --json "
@@ -85,7 +85,7 @@ if command -v fish >/dev/null 2>&1; then
     check "fish: values" test "$(fish_says 'rhw view --samples ')$(fish_says 'rhw explain --fit=')" = "1 2 4 8 16 --fit=all "
     check "fish: files" test "$(fish_says 'rhw explain mod')$(fish_says 'rhw render --stats=mod')" = "model.glb --stats=model.glb "
     rm model.glb
-    check "fish: verbs of help" test "$(fish_says 'rhw help ')" = "bench compare explain info render thumbs view "
+    check "fish: verbs of help" test "$(fish_says 'rhw help ')" = "bench compare explain info render shader thumbs view "
     check "fish: within a list" test "$(fish_says 'rhw render --output depth,n')" = "depth,normal "
 else
     echo "no fish here: how it completes is not tested" >&2

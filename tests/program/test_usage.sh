@@ -19,17 +19,17 @@ check "help of help" cmp "$folder/log/out" help.txt
 refuse 2 "nope: no such verb" help nope
 refuse 2 "--nope: no such option" help --nope
 refuse 2 "extra: one argument too many" help render extra
-for verb in render thumbs compare explain info bench; do
+for verb in render thumbs compare explain info shader bench; do
     succeed $verb --help
     cp "$folder/log/out" verb.txt
     succeed help $verb
     check "help $verb" cmp "$folder/log/out" verb.txt
 done
 succeed help
-for verb in render thumbs compare explain view info bench; do
+for verb in render thumbs compare explain view info shader bench; do
     check "help lists $verb" grep -Eq "^  rhw $verb " "$folder/log/out"
 done
-for verb in render compare info bench; do
+for verb in render compare info shader bench; do
     succeed $verb --help
     check "help of $verb" grep -q "^Usage: rhw $verb" "$folder/log/out"
     check "help of $verb states the statuses" grep -q "status" "$folder/log/out"

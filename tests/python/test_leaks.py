@@ -14,10 +14,13 @@ import rhw
 import rhw.diff as dr
 from conftest import SANITIZED
 from rhw import _rhw
-from rhw.pipeline import Buffer, Pass, Pipeline, Texture
+from rhw.pipeline import Buffer, Pass, Pipeline, Program, Texture
 
 if SANITIZED:
     pytest.skip("a sanitizer keeps what was freed for a while", allow_module_level=True)
+
+
+compiles = pytest.mark.skipif(not _rhw.compiles, reason="this build has no glslang: Debian's glslang-dev")
 
 
 class Usage(ctypes.Structure):
@@ -59,6 +62,15 @@ def bad_camera():
     _rhw.Scene(context, model._model).draw((8, 8), NOBODY, 1, 1, 1, 0, 0, 0, 0, (0, 0, 0), 0, True, True, False, 0, 0, 0.0, None, 0.0)
 
 
+def shaded_pass(texel=np.ones((64, 64), np.float32)):
+    program = Program(vertex="layout(location = 0) in vec3 v; void main() { gl_Position = vec4(v, 1); }", fragment="""
+layout(binding = 0) uniform B { vec4 tint; }; layout(binding = 1) uniform sampler2D image;
+layout(location = 0) out vec4 color; void main() { color = tint * texture(image, vec2(0.5)); }""")
+    target = {"color": Texture(64)}
+    with Pass(target) as draw:
+        draw(Pipeline(target, program=program, depth=None), {"v": V}, F, {"tint": (1, 1, 1, 1), "image": texel})
+
+
 def torn_pass():
     target = {"color": Texture(64)}
     with Pass(target) as draw:
@@ -77,6 +89,9 @@ def torn_pass():
     (60, lambda: _rhw.sampler(context, 77, 0, 1.0)),
     (60, lambda: _rhw.pipeline(context, (2, -1, -1, -1), False, 0, 99, 0, True, 0, True, False, ((0, 3),))),
     (60, lambda: _rhw.pipeline(context, (2, -1, -1, -1), False, 0, 0, 0, True, 0, True, False, ((0, 3), (9, 3)))),
+    pytest.param(60, lambda: Program(vertex="void main() { gl_Position = x; }"), marks=compiles),
+    (60, lambda: _rhw.Program(b"x" * 2000, None, None, ())),
+    pytest.param(60, lambda: shaded_pass(texel=3), marks=compiles),
     (60, lambda: _rhw.Pass(context, (0, 0), 1, (), True, None, False, 1.0)),
     (60, torn_pass),
     (60, lambda: rhw.write_png("/nowhere/x.png", np.zeros((99, 99, 3), np.uint8))),
@@ -125,6 +140,7 @@ def drawn_pass():
     (60, lambda: rhw.Context(threads=3).threads),
     (40, whole_chain),
     (60, drawn_pass),
+    pytest.param(20, shaded_pass, marks=compiles),
     (60, lambda: Texture.of(np.zeros((64, 64, 3), np.uint8))),
 ])
 def test_what_ends(times, call):
@@ -137,6 +153,7 @@ def test_what_ends(times, call):
     lambda: _rhw.Scene(context, model._model),
     lambda: _rhw.panorama(np.ones((1, 2, 4), np.float32)),
     lambda: _rhw.sampler(context, 0, 0, 1.0),
+    pytest.param(lambda: Program(vertex="void main() { gl_Position = vec4(0); }")._program, marks=compiles),
     lambda: _rhw.panorama_texels(_rhw.panorama(np.ones((1, 2, 4), np.float32))),
 ])
 def test_objects_leave_their_type(make):

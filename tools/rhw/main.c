@@ -20,6 +20,7 @@ static const struct {
     {"explain", "MODEL --at X,Y", "how a pixel of the picture got its value, step by step", cli_explain},
     {"view", "MODEL", "show a model in a window", cli_view},
     {"info", "MODEL", "what is in a model file", cli_info},
+    {"shader", "FILE...", "compile, check, show and run shaders", cli_shader},
     {"bench", "", "time scenes, beside another renderer where there is one", cli_bench},
 };
 

@@ -9,6 +9,7 @@ int cli_thumbs(int argc, char **argv);
 int cli_view(int argc, char **argv);
 int cli_info(int argc, char **argv);
 int cli_explain(int argc, char **argv);
+int cli_shader(int argc, char **argv);
 int cli_bench(int argc, char **argv);
 
 #endif

@@ -24,8 +24,8 @@ static void print(const char *text, enum rhw_shader_stage stage, enum rhw_shader
     if (!glsl_is_there()) {
         skip();
     }
-    if (!glsl_compile(stage, text, strlen(text), "x.frag", &(struct glsl_options){.has_lines = true}, &code, message,
-                      sizeof message)) {
+    if (!glsl_compile(stage, text, strlen(text), "x.frag", &(struct glsl_options){.has_lines = true}, &code,
+                      message, sizeof message)) {
         fail_msg("%s", message);
     }
     size_t length = 0;
@@ -66,23 +66,24 @@ static const char text[] = "layout(location = 0) in vec3 normal;\n"
 static void test_the_form_stands_beside_its_source(void **state)
 {
     (void)state;
-    static const char *const parts[] = {"; fragment shader main, ",
-                                        " = input normal.x\n",
-                                        " = resource light (set 2, binding 5)\n",
-                                        "\n; x.frag:6  vec2 sum = vec2(0);\n",
-                                        "; x.frag:7  for (int i = 0; i < 4; i++) {\n",
-                                        " = loop\n    ",
-                                        ".i 4\n",
-                                        "; x.frag:8  if (normal.y > 0.25) {\n",
-                                        " = fless 0.25 v",
-                                        "            ; x.frag:9  sum.y += normal.x * light.tint;\n            u",
-                                        " = load u",
-                                        "[0]\n",
-                                        "            set h",
-                                        ".sum.y v",
-                                        "        end_if\n",
-                                        "\nend_loop\n",
-                                        "\noutput color.z 1.0\n"};
+    static const char *const parts[] = {
+        "; fragment shader main, ",
+        " = input normal.x\n",
+        " = resource light (set 2, binding 5)\n",
+        "\n; x.frag:6  vec2 sum = vec2(0);\n",
+        "; x.frag:7  for (int i = 0; i < 4; i++) {\n",
+        " = loop\n    ",
+        ".i 4\n",
+        "; x.frag:8  if (normal.y > 0.25) {\n",
+        " = fless 0.25 v",
+        "            ; x.frag:9  sum.y += normal.x * light.tint;\n            u",
+        " = load u",
+        "[0]\n",
+        "            set h",
+        ".sum.y v",
+        "        end_if\n",
+        "\nend_loop\n",
+        "\noutput color.z 1.0\n"};
     print(text, RHW_SHADER_FRAGMENT, RHW_SHADER_PASSED);
     expect_order(parts, sizeof parts / sizeof *parts);
 }
@@ -98,10 +99,17 @@ static void test_the_form_is_printed_before_its_passes(void **state)
 static void test_instructions_have_registers(void **state)
 {
     (void)state;
-    static const char *const parts[] = {
-        "; ",           " instructions, ", " groups of 8 lanes at a time\n",         "  input              r",
-        " normal.x\n",  "  loop ",         " mask r", "  load               u", " light (set 2, binding 5)",
-        "  output             color.w r", "  end "};
+    static const char *const parts[] = {"; ",
+                                        " instructions, ",
+                                        " groups of 8 lanes at a time\n",
+                                        "  input              r",
+                                        " normal.x\n",
+                                        "  loop ",
+                                        " mask r",
+                                        "  load               u",
+                                        " light (set 2, binding 5)",
+                                        "  output             color.w r",
+                                        "  end "};
     print(text, RHW_SHADER_FRAGMENT, RHW_SHADER_ASSEMBLED);
     expect_order(parts, sizeof parts / sizeof *parts);
 }

@@ -122,6 +122,20 @@ _rhw_info() { # CURRENT PREVIOUS
     esac
 }
 
+_rhw_shader() { # CURRENT PREVIOUS
+    case $2 in
+    --out | --out= | -o) _rhw_files "$1" ;;
+    --print | --print=) _rhw_words "$1" info spirv ir bytecode ;;
+    --after | --after=) _rhw_words "$1" build passes ;;
+    --include | --include= | -I) _rhw_files "$1" ;;
+    --size | --size=) _rhw_words "$1" 512 1280x720 1920x1080 1024x1024 3840x2160 ;;
+    --max-memory | --max-memory=) _rhw_words "$1" 512M 1G 2G 4G ;;
+    --max-time | --max-time=) _rhw_words "$1" 10 60 300 ;;
+    --entry | --entry= | --define | --define= | -D | --constant | --constant= | --time | --time= | --mouse | --mouse= | --texture | --texture= | --groups | --groups= | --buffer | --buffer= | --push | --push= | --result | --result= | --threads | --threads=) ;;
+    *) _rhw_rest "$1" file --out --print --after --json --all-errors --entry --define --include --constant --relaxed --run --size --time --mouse --texture --groups --buffer --push --result --threads --max-memory --max-time --help ;;
+    esac
+}
+
 _rhw_bench() { # CURRENT PREVIOUS
     case $2 in
     --scene | --scene=) _rhw_list "$1" $(rhw bench --list 2>/dev/null | cut -d ' ' -f 1) ;;
@@ -145,12 +159,12 @@ _rhw() {
         current= previous=$previous=
     fi
     if ((COMP_CWORD == 1)); then
-        _rhw_words "$current" render thumbs compare explain view info bench help --help --version
+        _rhw_words "$current" render thumbs compare explain view info shader bench help --help --version
         return
     fi
     case ${COMP_WORDS[1]} in
-    help) _rhw_words "$current" render thumbs compare explain view info bench ;;
-    render | thumbs | compare | explain | view | info | bench) "_rhw_${COMP_WORDS[1]}" "$current" "$previous" ;;
+    help) _rhw_words "$current" render thumbs compare explain view info shader bench ;;
+    render | thumbs | compare | explain | view | info | shader | bench) "_rhw_${COMP_WORDS[1]}" "$current" "$previous" ;;
     esac
 }
 

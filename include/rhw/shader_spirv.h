@@ -1,0 +1,304 @@
+// SPDX-License-Identifier: MIT
+// What a translated shader does to 8 lanes where that is more than a function of shader.h: resources of a struct
+// rhw_shader_frame, words of buffers, and the operations of SPIR-V on integers. Shaders that rhw_shader_program_emit_c
+// writes as C include this header, and the interpreter of rhw-shader calls the same functions, so both give the same
+// bits. A program that writes shaders by hand has no need of it.
+#ifndef RHW_SHADER_SPIRV_H
+#define RHW_SHADER_SPIRV_H
+
+#include "shader.h"
+#include "spirv.h"
+
+RHW_QUIET_BEGIN
+
+// Resources ------------------------------------------------------------------------------------------
+
+/// Return element `element` of a binding of `count` elements that begins at place `first` of a set, or NULL where the
+/// set is NULL or the binding has no such element.
+static inline const struct rhw_binding *rhw_spirv_element(const struct rhw_shader_frame *frame, uint32_t set,
+                                                          uint32_t first, uint32_t count, uint32_t element)
+{
+    const struct rhw_binding *const bindings = frame->sets[set];
+    return bindings && element < count ? bindings + first + element : (const struct rhw_binding *)0;
+}
+
+/// Return a texture with a sampler, put together in `pair`, or NULL where one of them is missing.
+static inline const struct rhw_binding *rhw_spirv_pair(const struct rhw_binding *texture,
+                                                       const struct rhw_binding *sampler,
+                                                       struct rhw_binding *pair)
+{
+    return texture && sampler && rhw_binding_of_pair(texture, sampler, pair) ? pair
+                                                                             : (const struct rhw_binding *)0;
+}
+
+/// Words of 32 bits that a shader reads. `words` is NULL where there are none.
+struct rhw_spirv_words {
+    const uint32_t *words;
+    uint32_t count;
+};
+
+/// Return the words of a buffer.
+static inline struct rhw_spirv_words rhw_spirv_words_of(const struct rhw_binding *binding)
+{
+    struct rhw_spirv_words words;
+    words.words = rhw_binding_storage_words(binding, &words.count);
+    return words;
+}
+
+/// Return the bytes of a buffer as OpArrayLength takes them: whole words.
+static inline int32_t rhw_spirv_bytes(struct rhw_spirv_words words)
+{
+    return (int32_t)(words.count > UINT32_MAX / 4 ? UINT32_MAX & ~3u : 4 * words.count);
+}
+
+/// Return a word, or 0 where there is none. Others may write it at the same time.
+static inline int32_t rhw_spirv_word(struct rhw_spirv_words words, uint32_t index)
+{
+    return index < words.count ? (int32_t)__atomic_load_n(&words.words[index], __ATOMIC_RELAXED) : 0;
+}
+
+/// Return a word of the push constants, or 0 where there is none.
+static inline int32_t rhw_spirv_push_word(const struct rhw_shader_frame *frame, uint32_t index)
+{
+    int32_t value = 0;
+    if (index < frame->push_size / 4) {
+        memcpy(&value, (const unsigned char *)frame->push_constants + 4 * (size_t)index, sizeof value);
+    }
+    return value;
+}
+
+#if RHW_HAS_LANES
+
+/// Return the mask of a < b for unsigned integers.
+static inline rhw_int rhw_spirv_less_uint(rhw_int a, rhw_int b)
+{
+    const rhw_int sign = rhw_splat_int(INT32_MIN);
+    return rhw_less_int(a ^ sign, b ^ sign);
+}
+
+/// Return the word at a place in bytes, lane by lane.
+static inline rhw_int rhw_spirv_index(rhw_int offset, uint32_t more)
+{
+    return (rhw_int)(((rhw_uint)offset + more) >> 2);
+}
+
+/// Return a word of the push constants for each lane.
+static inline rhw_int rhw_spirv_push(const struct rhw_shader_frame *frame, rhw_int index)
+{
+    rhw_int value = rhw_splat_int(0);
+    for (int lane = 0; lane < RHW_LANES; lane++) {
+        value[lane] = rhw_spirv_push_word(frame, (uint32_t)index[lane]);
+    }
+    return value;
+}
+
+/// Return a word for each lane of `mask`, and 0 in other lanes. Others may write the words at the same time.
+static inline rhw_int rhw_spirv_load(struct rhw_spirv_words words, rhw_int index, rhw_int mask)
+{
+    const rhw_int inside = rhw_spirv_less_uint(index, rhw_splat_int((int32_t)words.count)) & mask;
+    rhw_int value = rhw_splat_int(0);
+    for (unsigned left = (unsigned)rhw_mask_bits(inside); left != 0; left &= left - 1) {
+        const int lane = __builtin_ctz(left);
+        value[lane] = (int32_t)__atomic_load_n(&words.words[(uint32_t)index[lane]], __ATOMIC_RELAXED);
+    }
+    return value;
+}
+
+/// Return a word for each lane, of words that nobody writes.
+static inline rhw_int rhw_spirv_gather(struct rhw_spirv_words words, rhw_int index)
+{
+    if (words.count > INT32_MAX) {
+        return rhw_spirv_load(words, index, rhw_splat_int(-1));
+    }
+    return rhw_gather_int((const int32_t *)words.words, (int32_t)words.count, index);
+}
+
+/// Write a word for each lane of `mask` to memory of a workgroup, which one thread works on.
+static inline void rhw_spirv_share(void *shared, uint32_t size, rhw_int index, rhw_int value, rhw_int mask)
+{
+    const rhw_int inside = rhw_spirv_less_uint(index, rhw_splat_int((int32_t)(size / 4))) & mask;
+    for (unsigned left = (unsigned)rhw_mask_bits(inside); left != 0; left &= left - 1) {
+        const int lane = __builtin_ctz(left);
+        ((int32_t *)shared)[(uint32_t)index[lane]] = value[lane];
+    }
+}
+
+/// Change the words at `index` by an operation, in the lanes of `mask`. Return the words as they were before.
+static inline rhw_int rhw_spirv_atomic(const struct rhw_binding *binding,
+                                       enum rhw_storage_operation operation, rhw_int index, rhw_int value,
+                                       rhw_int comparand, rhw_int mask)
+{
+    const struct rhw_storage_request request = {operation, &mask, &index, &value, &comparand};
+    rhw_int before;
+    rhw_binding_storage_access(binding, &request, &before);
+    return before;
+}
+
+// Arithmetic -----------------------------------------------------------------------------------------
+
+/// Return a + b, which wraps.
+static inline rhw_int rhw_spirv_add(rhw_int a, rhw_int b)
+{
+    return (rhw_int)((rhw_uint)a + (rhw_uint)b);
+}
+
+/// Return a − b, which wraps.
+static inline rhw_int rhw_spirv_sub(rhw_int a, rhw_int b)
+{
+    return (rhw_int)((rhw_uint)a - (rhw_uint)b);
+}
+
+/// Return a · b, which wraps.
+static inline rhw_int rhw_spirv_mul(rhw_int a, rhw_int b)
+{
+    return (rhw_int)((rhw_uint)a * (rhw_uint)b);
+}
+
+/// Return the upper 32 bits of the product of signed integers.
+static inline rhw_int rhw_spirv_mul_high(rhw_int a, rhw_int b)
+{
+    rhw_int result = rhw_splat_int(0);
+    for (int i = 0; i < RHW_LANES; i++) {
+        result[i] = (int32_t)((uint64_t)((int64_t)a[i] * b[i]) >> 32);
+    }
+    return result;
+}
+
+/// Return the upper 32 bits of the product of unsigned integers.
+static inline rhw_int rhw_spirv_mul_high_uint(rhw_int a, rhw_int b)
+{
+    rhw_int result = rhw_splat_int(0);
+    for (int i = 0; i < RHW_LANES; i++) {
+        result[i] = (int32_t)((uint64_t)(uint32_t)a[i] * (uint32_t)b[i] >> 32);
+    }
+    return result;
+}
+
+/// Return a shifted to the left by the lower 5 bits of b.
+static inline rhw_int rhw_spirv_shift_left(rhw_int a, rhw_int b)
+{
+    return (rhw_int)((rhw_uint)a << (rhw_uint)(b & 31));
+}
+
+/// Return a shifted to the right by the lower 5 bits of b, with zeros from the left.
+static inline rhw_int rhw_spirv_shift_right(rhw_int a, rhw_int b)
+{
+    return (rhw_int)((rhw_uint)a >> (rhw_uint)(b & 31));
+}
+
+/// Return a shifted to the right by the lower 5 bits of b, with its sign from the left.
+static inline rhw_int rhw_spirv_shift_right_signed(rhw_int a, rhw_int b)
+{
+    return a >> (b & 31);
+}
+
+/// Return the float nearest to an unsigned integer, ties to even.
+static inline rhw_float rhw_spirv_float_from_uint(rhw_int a)
+{
+    rhw_float result = rhw_splat(0.0f);
+    for (int i = 0; i < RHW_LANES; i++) {
+        result[i] = (float)(uint32_t)a[i];
+    }
+    return result;
+}
+
+/// Return a truncated towards zero. Numbers from 2^32 on give 2^32 − 1, negative numbers and NaN give 0.
+static inline rhw_int rhw_spirv_uint_from_float(rhw_float a)
+{
+    rhw_int result = rhw_splat_int(0);
+    for (int i = 0; i < RHW_LANES; i++) {
+        result[i] = !(a[i] > 0.0f) ? 0 : a[i] >= 4294967296.0f ? -1 : (int32_t)(uint32_t)a[i];
+    }
+    return result;
+}
+
+/// Return two halves in one integer, the first in its lower bits.
+static inline rhw_int rhw_spirv_pack_halves(rhw_float low, rhw_float high)
+{
+    const rhw_float v[2] = {low, high};
+    return rhw_pack_half2x16(v);
+}
+
+/// Return the half in the lower 16 bits.
+static inline rhw_float rhw_spirv_low_half(rhw_int a)
+{
+    return rhw_float_from_half_bits(a & 0xffff);
+}
+
+/// Return the half in the upper 16 bits.
+static inline rhw_float rhw_spirv_high_half(rhw_int a)
+{
+    return rhw_float_from_half_bits((rhw_int)((rhw_uint)a >> 16));
+}
+
+/// Return the fraction of rhw_frexp.
+static inline rhw_float rhw_spirv_fraction(rhw_float a)
+{
+    rhw_int exponent;
+    return rhw_frexp(a, &exponent);
+}
+
+/// Return the exponent of rhw_frexp.
+static inline rhw_int rhw_spirv_exponent(rhw_float a)
+{
+    rhw_int exponent;
+    (void)rhw_frexp(a, &exponent);
+    return exponent;
+}
+
+// Inputs ---------------------------------------------------------------------------------------------
+
+/// Return a varying at the partner pixel of derivatives: (x ^ 1, y) for axis 0, and (x, y ^ 1) for axis 1. `w` is that
+/// of rhw_interpolate_at.
+static inline rhw_float rhw_spirv_partner(const struct rhw_fragment *fragment, int component, int w, int axis)
+{
+    const rhw_int odd = rhw_int_from_float(fragment->coord[axis]) & 1;
+    rhw_float offset[2];
+    offset[1 - axis] = rhw_splat(0.0f);
+    offset[axis] = rhw_float_from_int(1 - 2 * odd);
+    return rhw_interpolate_at(fragment, component, w, offset);
+}
+
+// Images ---------------------------------------------------------------------------------------------
+
+/// Return a count in the place of a texel's component, as bits.
+static inline rhw_float rhw_spirv_count(int count)
+{
+    return rhw_float_from_bits(rhw_splat_int(count));
+}
+
+/// Set the first 3 components of `texel` to the bits of rhw_binding_sample_size.
+static inline void rhw_spirv_size(const struct rhw_binding *binding, const rhw_int *level, rhw_float texel[4])
+{
+    rhw_int size[3] = {rhw_splat_int(0), rhw_splat_int(0), rhw_splat_int(0)};
+    rhw_binding_sample_size(binding, level, size);
+    for (int i = 0; i < 3; i++) {
+        texel[i] = rhw_float_from_bits(size[i]);
+    }
+}
+
+/// Take what was sampled for some lanes.
+static inline void rhw_spirv_take(rhw_int lanes, const rhw_float texel[4], rhw_float texels[4])
+{
+    for (int c = 0; c < 4; c++) {
+        texels[c] = rhw_select(lanes, texel[c], texels[c]);
+    }
+}
+
+// Lanes of several groups ----------------------------------------------------------------------------
+
+/// Return true if a mask is −1 in a lane of some group.
+static inline bool rhw_spirv_any(const rhw_int *masks, int count)
+{
+    rhw_int any = rhw_splat_int(0);
+    for (int g = 0; g < count; g++) {
+        any |= masks[g];
+    }
+    return rhw_any(any);
+}
+
+#endif
+
+RHW_QUIET_END
+
+#endif

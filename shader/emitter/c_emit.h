@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+// One stage while its text is written, and what the files of the emitter share.
+#ifndef SHADER_C_EMIT_H
+#define SHADER_C_EMIT_H
+
+#include "c_plan.h"
+#include "c_text.h"
+
+struct shader_c_pair {
+    uint32_t texture, sampler; // BUFFER nodes
+};
+
+struct shader_emitter {
+    struct shader_memory *memory;
+    const struct shader_c_program *program;
+    const struct shader_c_stage *stage;
+    enum rhw_shader_stage kind;
+    const struct shader_program *form;
+    struct shader_c_plan plan;
+    struct shader_text arrays; // declarations of what has an element for each group
+    struct shader_text once;   // what is computed once a call
+    struct shader_text body;   // what is computed for each group
+    struct shader_text *out;   // the one that is written to
+    const char **inlined;      // by value: the expression that stands where the value is read, or NULL
+    uint32_t mask, masks;      // number of the mask of active lanes, and how many there are
+    uint32_t divergence;       // structures around this place whose lanes go different ways
+    const char *group;         // the element that counts of what has one for each group
+    bool is_dead;              // no lane comes to this place
+    bool is_run_open;          // this place is in a loop over groups
+    uint32_t run;              // that is open or comes next
+    uint32_t wide_mask;        // number of the mask with which the run began
+    uint32_t *loops;           // places of the LOOPs that are loops of C, from the outermost
+    uint32_t loop_depth;
+    bool *is_label_used; // by place of structure: something jumps to its end
+    // Textures and samplers that are put together once a call.
+    struct shader_c_pair *pairs;
+    size_t pair_count, pair_room;
+};
+
+// c_value.c. Return an operand as an expression that is a name, a literal or in brackets.
+const char *shader_c_operand(struct shader_emitter *emitter, uint32_t value, bool as_float);
+// Return an operand as an argument of a function: of literals, 8 equal lanes.
+const char *shader_c_argument(struct shader_emitter *emitter, uint32_t value, bool as_float);
+// Return the name of a value that is declared.
+const char *shader_c_name(struct shader_emitter *emitter, uint32_t value);
+// Return a number as 8 equal lanes.
+const char *shader_c_number(struct shader_emitter *emitter, uint32_t bits, bool as_float);
+bool shader_c_is_number(const struct shader_emitter *emitter, uint32_t value, uint32_t *bits);
+// Declare a value with an expression that is of its type.
+void shader_c_define(struct shader_emitter *emitter, uint32_t value, const char *expression,
+                     const char *comment);
+// Write a node that is neither structure nor an access to memory or images.
+void shader_c_write_value(struct shader_emitter *emitter, uint32_t place);
+
+// c_memory.c. Write inputs, outputs, loads, stores, atomics. Return false where the node is none of these.
+bool shader_c_write_access(struct shader_emitter *emitter, uint32_t place);
+// Write what is reached through a binding: begin a loop over the bindings that lanes name where they name several.
+// Return the binding that is named; shader_c_end_bindings ends the loop. *lanes is the mask that counts.
+const char *shader_c_begin_bindings(struct shader_emitter *emitter, uint32_t texture, uint32_t sampler,
+                                    const char **lanes);
+void shader_c_end_bindings(struct shader_emitter *emitter, uint32_t texture, uint32_t sampler);
+// Return the BUFFER, PUSH or WORKGROUP that a value is, or the home that keeps an element that lanes name.
+uint32_t shader_c_resource(const struct shader_emitter *emitter, uint32_t value);
+// Return true if a BUFFER is one binding for all lanes of a call.
+bool shader_c_is_one_binding(const struct shader_emitter *emitter, uint32_t buffer);
+
+// c_image.c. Write SAMPLE, PART or IMAGE_STORE. Return false where the node is none of these.
+bool shader_c_write_image(struct shader_emitter *emitter, uint32_t place);
+
+// c_flow.c. Write the whole code into the body, loops over groups with it.
+void shader_c_write_code(struct shader_emitter *emitter);
+uint32_t shader_c_new_mask(struct shader_emitter *emitter);
+
+// c_stage.c. What stands around the code: the lines that begin and end a loop over groups.
+void shader_c_open_groups(struct shader_emitter *emitter);
+void shader_c_write_stage(struct shader_memory *memory, const struct shader_c_program *program,
+                          enum rhw_shader_stage kind, struct shader_text *file);
+
+#endif

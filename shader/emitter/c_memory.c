@@ -1,0 +1,453 @@
+// SPDX-License-Identifier: MIT
+// Inputs, outputs, and what lies in buffers.
+#include "c_emit.h"
+
+enum { COMPONENTS = 4, NO_COMPONENT = 0xff };
+
+// Names ----------------------------------------------------------------------------------------------
+
+static const char *resource_name(struct shader_emitter *emitter, uint32_t resource)
+{
+    return shader_c_clean(emitter->memory,
+                          emitter->form->module->names[emitter->form->resources[resource].variable->id]);
+}
+
+// Return what the module calls a component of an input or output, or "".
+static const char *interface_name(struct shader_emitter *emitter, uint32_t slot,
+                                  enum spirv_storage_class storage)
+{
+    const struct shader_module *const module = emitter->form->module;
+    for (uint32_t i = 0; i < module->variable_count; i++) {
+        const struct shader_variable *const variable = module->variables[i];
+        const char *const name = shader_c_clean(emitter->memory, module->names[variable->id]);
+        const uint32_t first = (uint32_t)variable->location * COMPONENTS +
+                               (variable->component < 0 ? 0 : (uint32_t)variable->component);
+        if (variable->storage == storage && variable->location >= 0 && name[0] && slot >= first &&
+            slot < first + variable->type->scalars) {
+            return variable->type->scalars == 1
+                       ? name
+                       : shader_format(emitter->memory, "%s[%u]", name, (unsigned)(slot - first));
+        }
+    }
+    return "";
+}
+
+// Inputs and outputs ---------------------------------------------------------------------------------
+
+static void write_input(struct shader_emitter *emitter, uint32_t value)
+{
+    const struct shader_node *const node = &emitter->form->nodes[value];
+    const struct shader_c_stage *const stage = emitter->stage;
+    const unsigned slot = node->immediate, component = stage->component_of[node->immediate];
+    const int w = stage->is_linear[slot / COMPONENTS] ? -1 : (int)stage->w_component;
+    const char *text;
+    switch ((enum shader_op)node->op) {
+    case SHADER_INPUT:
+        text =
+            emitter->kind == RHW_SHADER_VERTEX
+                ? shader_format(emitter->memory, "v->attribute[%u][%u]", slot / COMPONENTS, slot % COMPONENTS)
+                : shader_format(emitter->memory, "f->varying[%u]", component);
+        break;
+    case SHADER_INPUT_DX: text = shader_format(emitter->memory, "f->ddx[%u]", component); break;
+    case SHADER_INPUT_DY: text = shader_format(emitter->memory, "f->ddy[%u]", component); break;
+    default:
+        text = shader_format(emitter->memory, "rhw_spirv_partner(f, %u, %d, %d)", component, w,
+                             node->op == SHADER_INPUT_BESIDE ? 0 : 1);
+    }
+    shader_c_define(emitter, value, text, interface_name(emitter, slot, SPIRV_INPUT));
+}
+
+static const char *fragment_built_in(struct shader_emitter *emitter, uint32_t number)
+{
+    switch (number) {
+    case SHADER_IN_COORD:
+    case SHADER_IN_COORD + 1:
+    case SHADER_IN_COORD + 2:
+    case SHADER_IN_COORD + 3:
+        return shader_format(emitter->memory, "f->coord[%u]", (unsigned)(number - SHADER_IN_COORD));
+    case SHADER_IN_FRONT_FACING: return "f->front_facing";
+    case SHADER_IN_PRIMITIVE: return "f->primitive";
+    case SHADER_IN_SAMPLE_ID: return "f->sample_id";
+    case SHADER_IN_SAMPLE_POSITION:
+    case SHADER_IN_SAMPLE_POSITION + 1:
+        return shader_format(emitter->memory, "f->sample_position[%u]",
+                             (unsigned)(number - SHADER_IN_SAMPLE_POSITION));
+    case SHADER_IN_SAMPLE_MASK: return "f->sample_mask";
+    case SHADER_IN_POINT_COORD:
+    case SHADER_IN_POINT_COORD + 1:
+        return shader_format(emitter->memory, "f->point_coord[%u]",
+                             (unsigned)(number - SHADER_IN_POINT_COORD));
+    case SHADER_IN_LAYER: return "f->layer";
+    case SHADER_IN_VIEWPORT: return "f->viewport_index";
+    default: return "rhw_splat_int(0)";
+    }
+}
+
+static const char *invocation_built_in(struct shader_emitter *emitter, uint32_t number)
+{
+    if (number >= SHADER_IN_LOCAL_INDEX) {
+        return "i->index";
+    }
+    const bool is_of_workgroup = number < SHADER_IN_LOCAL;
+    const uint32_t first = number >= SHADER_IN_GLOBAL      ? SHADER_IN_GLOBAL
+                           : number >= SHADER_IN_LOCAL     ? SHADER_IN_LOCAL
+                           : number >= SHADER_IN_WORKGROUP ? SHADER_IN_WORKGROUP
+                                                           : SHADER_IN_WORKGROUP_COUNT;
+    const char *const array = number >= SHADER_IN_GLOBAL      ? "i->id"
+                              : number >= SHADER_IN_LOCAL     ? "i->local"
+                              : number >= SHADER_IN_WORKGROUP ? "w->id"
+                                                              : "w->counts";
+    return shader_format(emitter->memory, is_of_workgroup ? "rhw_splat_int(%s[%u])" : "%s[%u]", array,
+                         (unsigned)(number - first));
+}
+
+static void write_built_in(struct shader_emitter *emitter, uint32_t value)
+{
+    const uint32_t number = emitter->form->nodes[value].immediate;
+    const char *text;
+    switch (emitter->kind) {
+    case RHW_SHADER_VERTEX:
+        text = number == SHADER_IN_INSTANCE_INDEX ? "v->instance_index" : "v->vertex_index";
+        break;
+    case RHW_SHADER_FRAGMENT: text = fragment_built_in(emitter, number); break;
+    default: text = invocation_built_in(emitter, number);
+    }
+    shader_c_define(emitter, value, text, "");
+}
+
+static void write_vertex_output(struct shader_emitter *emitter, uint32_t slot, uint32_t value)
+{
+    const char *const number = shader_c_argument(emitter, value, true);
+    const struct shader_c_stage *const stage = emitter->stage;
+    struct shader_text *const out = emitter->out;
+    if (slot < SHADER_OUT_POSITION + 4) {
+        shader_text_line(out, "v->position[%u] = %s;", (unsigned)(slot - SHADER_OUT_POSITION), number);
+        if (slot == SHADER_OUT_POSITION + 3 && stage->w_component != NO_COMPONENT) {
+            shader_text_line(out, "v->varying[%u] = v->position[3];", (unsigned)stage->w_component);
+        }
+    } else if (slot == SHADER_OUT_POINT_SIZE) {
+        shader_text_line(out, "v->point_size = %s;", number);
+    } else if (slot < SHADER_OUT_CULL_DISTANCE) {
+        shader_text_line(out, "v->clip_distance[%u] = %s;", (unsigned)(slot - SHADER_OUT_CLIP_DISTANCE),
+                         number);
+    } else if (slot < SHADER_OUT_LAYER) {
+        shader_text_line(out, "v->cull_distance[%u] = %s;", (unsigned)(slot - SHADER_OUT_CULL_DISTANCE),
+                         number);
+    } else if (slot == SHADER_OUT_LAYER || slot == SHADER_OUT_VIEWPORT) {
+        shader_text_line(out, "v->%s = %s;", slot == SHADER_OUT_LAYER ? "layer" : "viewport_index",
+                         shader_c_argument(emitter, value, false));
+    } else if (slot >= SHADER_OUT_VARYING && stage->component_of[slot - SHADER_OUT_VARYING] != NO_COMPONENT) {
+        const uint32_t place = slot - SHADER_OUT_VARYING;
+        shader_text_line(out, "v->varying[%u] = %s; // %s", (unsigned)stage->component_of[place], number,
+                         interface_name(emitter, place, SPIRV_OUTPUT));
+    }
+}
+
+static void write_fragment_output(struct shader_emitter *emitter, uint32_t slot, uint32_t value)
+{
+    const uint32_t channel = slot - SHADER_OUT_VARYING;
+    if (slot == SHADER_OUT_DEPTH) {
+        shader_text_line(emitter->out, "f->depth = %s;", shader_c_argument(emitter, value, true));
+    } else if (slot == SHADER_OUT_SAMPLE_MASK) {
+        shader_text_line(emitter->out, "f->sample_mask &= %s;", shader_c_argument(emitter, value, false));
+    } else if (slot >= SHADER_OUT_VARYING && channel / COMPONENTS < emitter->stage->target_count) {
+        shader_text_line(emitter->out, "f->color[%u][%u] = %s;", (unsigned)(channel / COMPONENTS),
+                         (unsigned)(channel % COMPONENTS), shader_c_argument(emitter, value, true));
+    }
+}
+
+// Bindings -------------------------------------------------------------------------------------------
+
+uint32_t shader_c_resource(const struct shader_emitter *emitter, uint32_t value)
+{
+    const struct shader_node *const node = &emitter->form->nodes[value];
+    return node->op == SHADER_HOME && emitter->plan.is_hoisted[node->operands[0]] ? node->operands[0] : value;
+}
+
+bool shader_c_is_one_binding(const struct shader_emitter *emitter, uint32_t buffer)
+{
+    return emitter->plan.is_hoisted[buffer];
+}
+
+// Return the element that lanes name.
+static const char *element_of(struct shader_emitter *emitter, uint32_t buffer)
+{
+    return shader_c_argument(
+        emitter, emitter->plan.is_hoisted[buffer] ? emitter->form->nodes[buffer].operands[0] : buffer, false);
+}
+
+static const char *element_text(struct shader_emitter *emitter, uint32_t buffer, const char *element)
+{
+    const uint32_t resource = shader_resource_node(emitter->form, buffer)->immediate;
+    const struct shader_c_slot *const slot = &emitter->stage->slots[resource];
+    return shader_format(emitter->memory, "rhw_spirv_element(frame, %u, %u, %u, %s)", (unsigned)slot->set,
+                         (unsigned)slot->first, (unsigned)slot->count, element);
+}
+
+// Write the binding of a BUFFER, and its words.
+static void write_binding(struct shader_emitter *emitter, uint32_t buffer)
+{
+    const struct shader_node *const node = &emitter->form->nodes[buffer];
+    if (!emitter->plan.is_hoisted[buffer]) { // lanes name their own
+        shader_c_define(emitter, buffer, shader_c_argument(emitter, node->operands[0], false), "");
+        return;
+    }
+    uint32_t bits;
+    const char *const element =
+        shader_c_is_number(emitter, node->operands[0], &bits)
+            ? shader_format(emitter->memory, "%u", (unsigned)bits)
+            : shader_format(emitter->memory, "(uint32_t)%s[0]", shader_c_name(emitter, node->operands[0]));
+    const char *const name = resource_name(emitter, node->immediate);
+    shader_text_line(&emitter->once, "const struct rhw_binding *const binding%u = %s;%s%s", (unsigned)buffer,
+                     element_text(emitter, buffer, element), name[0] ? " // " : "", name);
+    if (emitter->form->resources[node->immediate].type->kind == SHADER_STRUCT) {
+        shader_text_line(&emitter->once,
+                         "const struct rhw_spirv_words words%u = rhw_spirv_words_of(binding%u);",
+                         (unsigned)buffer, (unsigned)buffer);
+    }
+}
+
+// The memory of a workgroup is a binding and words too.
+static void write_shared(struct shader_emitter *emitter, uint32_t buffer)
+{
+    const unsigned size = emitter->form->workgroup_size, number = buffer;
+    struct shader_text *const once = &emitter->once;
+    shader_text_line(once, "struct rhw_binding shared%u;", number);
+    shader_text_line(once, "(void)rhw_binding_of_memory(w->shared, %u, false, &shared%u);", size, number);
+    shader_text_line(once, "const struct rhw_binding *const binding%u = &shared%u;", number, number);
+    shader_text_line(once, "const struct rhw_spirv_words words%u = rhw_spirv_words_of(binding%u);", number,
+                     number);
+}
+
+// Return the name of a texture with a sampler. They are put together once a call.
+static const char *pair_of(struct shader_emitter *emitter, uint32_t texture, uint32_t sampler)
+{
+    const char *const name =
+        shader_format(emitter->memory, "pair%u_%u", (unsigned)texture, (unsigned)sampler);
+    for (size_t p = 0; p < emitter->pair_count; p++) {
+        if (emitter->pairs[p].texture == texture && emitter->pairs[p].sampler == sampler) {
+            return name;
+        }
+    }
+    if (emitter->pair_count == emitter->pair_room) {
+        emitter->pairs =
+            shader_grow(emitter->memory, emitter->pairs, &emitter->pair_room, sizeof *emitter->pairs);
+    }
+    emitter->pairs[emitter->pair_count++] = (struct shader_c_pair){texture, sampler};
+    shader_text_line(&emitter->once, "struct rhw_binding memory_of_%s;", name);
+    shader_text_line(
+        &emitter->once,
+        "const struct rhw_binding *const %s = rhw_spirv_pair(binding%u, binding%u, &memory_of_%s);", name,
+        (unsigned)texture, (unsigned)sampler, name);
+    return name;
+}
+
+const char *shader_c_begin_bindings(struct shader_emitter *emitter, uint32_t texture, uint32_t sampler,
+                                    const char **lanes)
+{
+    struct shader_memory *const memory = emitter->memory;
+    const bool has_sampler = sampler != SHADER_C_NONE;
+    if (shader_c_is_one_binding(emitter, texture) &&
+        (!has_sampler || shader_c_is_one_binding(emitter, sampler))) {
+        *lanes = shader_format(memory, "m%u", (unsigned)emitter->mask);
+        return has_sampler ? pair_of(emitter, texture, sampler)
+                           : shader_format(memory, "binding%u", (unsigned)texture);
+    }
+    *lanes = "lanes";
+    shader_text_line(emitter->out, "for (rhw_int todo = m%u, lanes; rhw_any(todo);) {",
+                     (unsigned)emitter->mask);
+    shader_text_line(emitter->out, "const uint32_t named = (uint32_t)rhw_binding_next(%s, &todo, &lanes);",
+                     element_of(emitter, texture));
+    shader_text_line(emitter->out, "const struct rhw_binding *%s = %s;", has_sampler ? "texture" : "binding",
+                     element_text(emitter, texture, "named"));
+    if (has_sampler) {
+        shader_text_line(emitter->out, "rhw_int same = lanes, rest = lanes;");
+        shader_text_line(emitter->out, "const uint32_t other = (uint32_t)rhw_binding_next(%s, &rest, &same);",
+                         element_of(emitter, sampler));
+        shader_text_line(emitter->out, "todo |= rest;");
+        shader_text_line(emitter->out, "lanes = same;");
+        shader_text_line(emitter->out, "struct rhw_binding pair;");
+        shader_text_line(emitter->out,
+                         "const struct rhw_binding *const binding = rhw_spirv_pair(texture, %s, &pair);",
+                         element_text(emitter, sampler, "other"));
+    }
+    return "binding";
+}
+
+void shader_c_end_bindings(struct shader_emitter *emitter, uint32_t texture, uint32_t sampler)
+{
+    if (!shader_c_is_one_binding(emitter, texture) ||
+        (sampler != SHADER_C_NONE && !shader_c_is_one_binding(emitter, sampler))) {
+        shader_text_line(emitter->out, "}");
+    }
+}
+
+// Words ----------------------------------------------------------------------------------------------
+
+// Return the number of the word at an offset of bytes: of all lanes alike, or lane by lane.
+static const char *index_text(struct shader_emitter *emitter, uint32_t offset, uint32_t more, bool is_alike)
+{
+    uint32_t bits;
+    if (shader_c_is_number(emitter, offset, &bits)) {
+        return shader_format(emitter->memory, is_alike ? "%u" : "rhw_splat_int(%u)",
+                             (unsigned)((bits + more) >> 2));
+    }
+    return shader_format(emitter->memory,
+                         is_alike ? "(uint32_t)rhw_spirv_index(%s, %u)[0]" : "rhw_spirv_index(%s, %u)",
+                         shader_c_argument(emitter, offset, false), (unsigned)more);
+}
+
+static const char *load_alike(struct shader_emitter *emitter, const struct shader_node *node, bool is_float)
+{
+    const char *const index = index_text(emitter, node->operands[1], node->immediate, true);
+    const uint32_t buffer = shader_c_resource(emitter, node->operands[0]);
+    const bool is_push = emitter->form->nodes[buffer].op == SHADER_PUSH;
+    const char *const word = is_push ? shader_format(emitter->memory, "rhw_spirv_push_word(frame, %s)", index)
+                                     : shader_format(emitter->memory, "rhw_spirv_word(words%u, %s)",
+                                                     (unsigned)node->operands[0], index);
+    return shader_format(emitter->memory,
+                         is_float ? "rhw_float_from_bits(rhw_splat_int(%s))" : "rhw_splat_int(%s)", word);
+}
+
+static bool is_written(const struct shader_emitter *emitter, uint32_t buffer)
+{
+    const struct shader_node *const node = shader_resource_node(emitter->form, buffer);
+    return node->op == SHADER_BUFFER && emitter->plan.has_effects &&
+           (emitter->form->resources[node->immediate].variable->storage == SPIRV_STORAGE_BUFFER ||
+            emitter->form->resources[node->immediate].type->is_buffer_block);
+}
+
+static void write_load(struct shader_emitter *emitter, uint32_t value)
+{
+    struct shader_memory *const memory = emitter->memory;
+    const struct shader_node *const node = &emitter->form->nodes[value];
+    const uint32_t buffer = shader_c_resource(emitter, node->operands[0]);
+    const bool is_float = emitter->plan.is_float[value], is_one = shader_c_is_one_binding(emitter, buffer);
+    if ((node->flags & SHADER_UNIFORM) && is_one) {
+        shader_c_define(emitter, value, load_alike(emitter, node, is_float), "");
+        return;
+    }
+    const char *const index = index_text(emitter, node->operands[1], node->immediate, false);
+    const char *const name = shader_format(memory, "words%u", (unsigned)value);
+    const char *text;
+    if (emitter->form->nodes[buffer].op == SHADER_PUSH) {
+        text = shader_format(memory, "rhw_spirv_push(frame, %s)", index);
+    } else if (is_one && is_written(emitter, buffer)) {
+        text = shader_format(memory, "rhw_spirv_load(words%u, %s, m%u)", (unsigned)buffer, index,
+                             (unsigned)emitter->mask);
+    } else if (is_one) {
+        text = shader_format(memory, "rhw_spirv_gather(words%u, %s)", (unsigned)buffer, index);
+    } else {
+        const char *lanes;
+        shader_text_line(emitter->out, "rhw_int %s = rhw_splat_int(0);", name);
+        const char *const binding = shader_c_begin_bindings(emitter, buffer, SHADER_C_NONE, &lanes);
+        shader_text_line(emitter->out, "%s |= rhw_spirv_load(rhw_spirv_words_of(%s), %s, %s);", name, binding,
+                         index, lanes);
+        shader_c_end_bindings(emitter, buffer, SHADER_C_NONE);
+        text = name;
+    }
+    shader_c_define(emitter, value, is_float ? shader_format(memory, "rhw_float_from_bits(%s)", text) : text,
+                    "");
+}
+
+static void write_store(struct shader_emitter *emitter, const struct shader_node *node)
+{
+    const uint32_t buffer = shader_c_resource(emitter, node->operands[0]);
+    const char *const index = index_text(emitter, node->operands[1], node->immediate, false);
+    const char *const value = shader_c_argument(emitter, node->operands[2], false);
+    const char *lanes;
+    if (emitter->form->nodes[buffer].op == SHADER_WORKGROUP) {
+        shader_text_line(emitter->out, "rhw_spirv_share(w->shared, %u, %s, %s, m%u);",
+                         (unsigned)emitter->form->workgroup_size, index, value, (unsigned)emitter->mask);
+        return;
+    }
+    const char *const binding = shader_c_begin_bindings(emitter, buffer, SHADER_C_NONE, &lanes);
+    shader_text_line(emitter->out, "rhw_binding_storage_store(%s, %s, %s, %s);", binding, index, value,
+                     lanes);
+    shader_c_end_bindings(emitter, buffer, SHADER_C_NONE);
+}
+
+static void write_length(struct shader_emitter *emitter, uint32_t value)
+{
+    const uint32_t buffer = shader_c_resource(emitter, emitter->form->nodes[value].operands[0]);
+    if (shader_c_is_one_binding(emitter, buffer)) {
+        shader_c_define(
+            emitter, value,
+            shader_format(emitter->memory, "rhw_splat_int(rhw_spirv_bytes(words%u))", (unsigned)buffer), "");
+        return;
+    }
+    const char *const name = shader_format(emitter->memory, "bytes%u", (unsigned)value);
+    const char *lanes;
+    shader_text_line(emitter->out, "rhw_int %s = rhw_splat_int(0);", name);
+    const char *const binding = shader_c_begin_bindings(emitter, buffer, SHADER_C_NONE, &lanes);
+    shader_text_line(emitter->out, "%s |= rhw_splat_int(rhw_spirv_bytes(rhw_spirv_words_of(%s))) & %s;", name,
+                     binding, lanes);
+    shader_c_end_bindings(emitter, buffer, SHADER_C_NONE);
+    shader_c_define(emitter, value, name, "");
+}
+
+static const char *const atomic_names[] = {
+    [SHADER_ATOMIC_LOAD] = "LOAD",
+    [SHADER_ATOMIC_STORE] = "STORE",
+    [SHADER_ATOMIC_EXCHANGE] = "EXCHANGE",
+    [SHADER_ATOMIC_COMPARE_EXCHANGE] = "COMPARE_EXCHANGE",
+    [SHADER_ATOMIC_ADD] = "ADD",
+    [SHADER_ATOMIC_MIN_INT] = "MIN",
+    [SHADER_ATOMIC_MAX_INT] = "MAX",
+    [SHADER_ATOMIC_MIN_UINT] = "MIN_UNSIGNED",
+    [SHADER_ATOMIC_MAX_UINT] = "MAX_UNSIGNED",
+    [SHADER_ATOMIC_AND] = "AND",
+    [SHADER_ATOMIC_OR] = "OR",
+    [SHADER_ATOMIC_XOR] = "XOR",
+};
+
+static void write_atomic(struct shader_emitter *emitter, uint32_t value)
+{
+    struct shader_memory *const memory = emitter->memory;
+    struct shader_node *const node = &emitter->form->nodes[value];
+    uint32_t count;
+    const uint32_t *const operands = shader_operands(emitter->form, node, &count);
+    const char *const index = index_text(emitter, operands[SHADER_ATOMIC_OFFSET], 0, false);
+    const char *const number = shader_c_argument(emitter, operands[SHADER_ATOMIC_VALUE], false);
+    const char *const comparand = shader_c_argument(emitter, operands[SHADER_ATOMIC_COMPARAND], false);
+    const char *const name = shader_format(memory, "before%u", (unsigned)value);
+    const char *lanes;
+    shader_text_line(emitter->out, "rhw_int %s = rhw_splat_int(0);", name);
+    const uint32_t buffer = shader_c_resource(emitter, operands[SHADER_ATOMIC_BUFFER]);
+    const char *const binding = shader_c_begin_bindings(emitter, buffer, SHADER_C_NONE, &lanes);
+    shader_text_line(emitter->out, "%s |= rhw_spirv_atomic(%s, RHW_STORAGE_%s, %s, %s, %s, %s);", name,
+                     binding, atomic_names[node->immediate], index, number, comparand, lanes);
+    shader_c_end_bindings(emitter, buffer, SHADER_C_NONE);
+    if (emitter->plan.uses[value] > 0) {
+        shader_c_define(emitter, value, name, "");
+    }
+}
+
+bool shader_c_write_access(struct shader_emitter *emitter, uint32_t place)
+{
+    const uint32_t value = emitter->form->code[place];
+    const struct shader_node *const node = &emitter->form->nodes[value];
+    switch ((enum shader_op)node->op) {
+    case SHADER_INPUT:
+    case SHADER_INPUT_DX:
+    case SHADER_INPUT_DY:
+    case SHADER_INPUT_BESIDE:
+    case SHADER_INPUT_BELOW: write_input(emitter, value); return true;
+    case SHADER_BUILT_IN: write_built_in(emitter, value); return true;
+    case SHADER_OUTPUT:
+        if (emitter->kind == RHW_SHADER_VERTEX) {
+            write_vertex_output(emitter, node->immediate, node->operands[0]);
+        } else {
+            write_fragment_output(emitter, node->immediate, node->operands[0]);
+        }
+        return true;
+    case SHADER_BUFFER: write_binding(emitter, value); return true;
+    case SHADER_PUSH: return true;
+    case SHADER_WORKGROUP: write_shared(emitter, value); return true;
+    case SHADER_LOAD: write_load(emitter, value); return true;
+    case SHADER_STORE: write_store(emitter, node); return true;
+    case SHADER_LENGTH: write_length(emitter, value); return true;
+    case SHADER_ATOMIC: write_atomic(emitter, value); return true;
+    default: return false;
+    }
+}

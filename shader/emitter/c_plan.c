@@ -1,0 +1,390 @@
+// SPDX-License-Identifier: MIT
+// See c_plan.h.
+#include "c_plan.h"
+
+static enum shader_op op_at(const struct shader_c_plan *plan, uint32_t place)
+{
+    return (enum shader_op)plan->form->nodes[plan->form->code[place]].op;
+}
+
+static bool opens(enum shader_op op)
+{
+    return op == SHADER_IF || op == SHADER_REGION || op == SHADER_LOOP;
+}
+
+static bool closes(enum shader_op op)
+{
+    return op == SHADER_END_IF || op == SHADER_END_REGION || op == SHADER_END_LOOP;
+}
+
+static bool is_uniform(const struct shader_c_plan *plan, uint32_t value)
+{
+    return (plan->form->nodes[value].flags & SHADER_UNIFORM) != 0;
+}
+
+static uint32_t *operands_at(const struct shader_c_plan *plan, uint32_t place, uint32_t *count)
+{
+    return shader_operands(plan->form, &plan->form->nodes[plan->form->code[place]], count);
+}
+
+// Structure ------------------------------------------------------------------------------------------
+
+static void find_structures(struct shader_memory *memory, struct shader_c_plan *plan)
+{
+    const struct shader_program *const form = plan->form;
+    uint32_t *const stack = shader_take(memory, SHADER_MAX_DEPTH + 2, sizeof *stack);
+    uint32_t depth = 0, blocks = 0;
+    uint32_t *const block_stack = shader_take(memory, SHADER_MAX_DEPTH + 2, sizeof *block_stack);
+    for (uint32_t i = 0; i < form->code_count; i++) {
+        const enum shader_op op = op_at(plan, i);
+        const struct shader_node *const node = &form->nodes[form->code[i]];
+        plan->place[form->code[i]] = i;
+        if (closes(op)) {
+            plan->structures[stack[--depth]].end = i;
+        } else if (op == SHADER_ELSE) {
+            plan->structures[stack[depth - 1]].otherwise = i;
+            block_stack[depth] = ++blocks;
+        }
+        plan->block[i] = block_stack[depth];
+        if (opens(op)) {
+            const uint32_t decider = op == SHADER_IF ? node->operands[0] : form->code[i];
+            plan->structures[i] = (struct shader_c_structure){.otherwise = SHADER_C_NONE,
+                                                              .is_uniform = is_uniform(plan, decider)};
+            stack[depth++] = i;
+            block_stack[depth] = ++blocks;
+        }
+        const bool is_varying_leave = op == SHADER_LEAVE && !is_uniform(plan, node->operands[0]);
+        for (uint32_t d = depth; (is_varying_leave || op == SHADER_DISCARD) && d-- > 0;) {
+            plan->loses_lanes = true;
+            if (op == SHADER_LEAVE && form->code[stack[d]] == node->operands[0]) {
+                break;
+            }
+            plan->structures[stack[d]].loses = true;
+        }
+        plan->loses_lanes = plan->loses_lanes || op == SHADER_DISCARD;
+    }
+}
+
+// Structure is wide around a cut, and around a LEAVE of structure that is wide.
+static void find_wide(struct shader_memory *memory, struct shader_c_plan *plan)
+{
+    const struct shader_program *const form = plan->form;
+    uint32_t *const stack = shader_take(memory, SHADER_MAX_DEPTH + 2, sizeof *stack);
+    for (bool changed = true; changed;) {
+        uint32_t depth = 0;
+        changed = false;
+        for (uint32_t i = 0; i < form->code_count; i++) {
+            const enum shader_op op = op_at(plan, i);
+            const bool leaves_wide =
+                op == SHADER_LEAVE &&
+                plan->structures[plan->place[form->nodes[form->code[i]].operands[0]]].is_wide;
+            for (uint32_t d = 0; (leaves_wide || shader_c_is_cut(plan, i)) && d < depth; d++) {
+                changed = changed || !plan->structures[stack[d]].is_wide;
+                plan->structures[stack[d]].is_wide = true;
+            }
+            if (opens(op)) {
+                stack[depth++] = i;
+            } else if (closes(op)) {
+                depth--;
+            }
+        }
+    }
+}
+
+// A LEAVE of wide structure stands in wide structure, and counts as such.
+bool shader_c_is_wide(const struct shader_c_plan *plan, uint32_t place)
+{
+    const enum shader_op op = op_at(plan, place);
+    if (op == SHADER_LEAVE) {
+        const uint32_t target = plan->form->nodes[plan->form->code[place]].operands[0];
+        return plan->structures[plan->place[target]].is_wide;
+    }
+    return opens(op) && plan->structures[place].is_wide;
+}
+
+bool shader_c_is_cut(const struct shader_c_plan *plan, uint32_t place)
+{
+    const enum shader_op op = op_at(plan, place);
+    if (op == SHADER_ATOMIC) {
+        const struct shader_node *const node = &plan->form->nodes[plan->form->code[place]];
+        return plan->uses[plan->form->code[place]] > 0 || node->immediate == SHADER_ATOMIC_STORE ||
+               node->immediate == SHADER_ATOMIC_EXCHANGE || node->immediate == SHADER_ATOMIC_COMPARE_EXCHANGE;
+    }
+    return op == SHADER_BARRIER;
+}
+
+static void count_uses(struct shader_c_plan *plan)
+{
+    const struct shader_program *const form = plan->form;
+    for (uint32_t i = 0; i < form->code_count; i++) {
+        uint32_t count;
+        const uint32_t *const operands = operands_at(plan, i, &count);
+        const enum shader_op op = op_at(plan, i);
+        for (uint32_t o = 0; o < count; o++) {
+            plan->uses[operands[o]]++;
+            plan->last_use[operands[o]] = i;
+        }
+        plan->has_effects = plan->has_effects || op == SHADER_STORE || op == SHADER_ATOMIC ||
+                            op == SHADER_IMAGE_STORE || op == SHADER_BARRIER;
+    }
+}
+
+// Runs -----------------------------------------------------------------------------------------------
+
+// Number the runs from a place to another. Return the number of the run that is open at the end.
+static uint32_t number_runs(struct shader_c_plan *plan, uint32_t begin, uint32_t end, uint32_t run)
+{
+    for (uint32_t i = begin; i < end; i++) {
+        const enum shader_op op = op_at(plan, i);
+        if (shader_c_is_cut(plan, i)) {
+            plan->run[i] = op == SHADER_ATOMIC ? run + 1 : SHADER_C_NONE; // an atomic is a run of its own
+            run += 2;
+        } else if (shader_c_is_wide(plan, i)) {
+            const struct shader_c_structure *const structure = &plan->structures[i];
+            plan->run[i] = SHADER_C_NONE;
+            if (op == SHADER_LEAVE) {
+                run++;
+                continue;
+            }
+            const uint32_t middle =
+                structure->otherwise == SHADER_C_NONE ? structure->end : structure->otherwise;
+            run = number_runs(plan, i + 1, middle, run + 1) + 1;
+            plan->run[middle] = plan->run[structure->end] = SHADER_C_NONE;
+            run = middle == structure->end ? run : number_runs(plan, middle + 1, structure->end, run) + 1;
+            i = structure->end;
+        } else if (opens(op)) {
+            for (uint32_t k = i; k <= plan->structures[i].end; k++) {
+                plan->run[k] = run;
+            }
+            i = plan->structures[i].end;
+        } else {
+            plan->run[i] = run;
+        }
+    }
+    return run;
+}
+
+// A home belongs to the run that has all of its places, unless a loop comes to the run again.
+static void place_homes(struct shader_memory *memory, struct shader_c_plan *plan)
+{
+    const struct shader_program *const form = plan->form;
+    bool *const is_seen = shader_take(memory, form->node_count, sizeof *is_seen);
+    uint32_t wide_loops = 0;
+    uint32_t *const stack = shader_take(memory, SHADER_MAX_DEPTH + 2, sizeof *stack);
+    uint32_t depth = 0;
+    for (uint32_t i = 0; i < form->code_count; i++) {
+        const enum shader_op op = op_at(plan, i);
+        uint32_t count;
+        const uint32_t *const operands = operands_at(plan, i, &count);
+        for (uint32_t o = 0; o < count; o++) {
+            const uint32_t home = operands[o];
+            if (form->nodes[home].op != SHADER_HOME) {
+                continue;
+            }
+            const bool is_alone = (!is_seen[home] || plan->home_run[home] == plan->run[i]) && wide_loops == 0;
+            plan->home_run[home] = is_alone ? plan->run[i] : SHADER_C_NONE;
+            is_seen[home] = true;
+        }
+        if (opens(op)) {
+            stack[depth++] = i;
+            wide_loops += op == SHADER_LOOP && plan->structures[i].is_wide ? 1 : 0;
+        } else if (closes(op)) {
+            depth--;
+            wide_loops -= op == SHADER_END_LOOP && plan->structures[stack[depth]].is_wide ? 1 : 0;
+        }
+    }
+    for (uint32_t value = 0; value < form->node_count; value++) {
+        if (form->nodes[value].op == SHADER_HOME) {
+            plan->is_kept[value] = is_seen[value] && plan->home_run[value] == SHADER_C_NONE;
+        }
+    }
+}
+
+static void find_kept(struct shader_memory *memory, struct shader_c_plan *plan)
+{
+    const struct shader_program *const form = plan->form;
+    for (uint32_t i = 0; i < form->code_count; i++) {
+        uint32_t count;
+        const uint32_t *const operands = operands_at(plan, i, &count);
+        for (uint32_t o = 0; o < count; o++) {
+            const uint32_t at = plan->place[operands[o]];
+            if (at != SHADER_C_NONE && !plan->is_hoisted[operands[o]] && plan->run[at] != plan->run[i]) {
+                plan->is_kept[operands[o]] = true;
+            }
+        }
+    }
+    place_homes(memory, plan);
+}
+
+// What is computed once ------------------------------------------------------------------------------
+
+// Nobody writes the memory while the shader runs, as far as it can tell.
+static bool is_constant_memory(const struct shader_c_plan *plan, uint32_t buffer)
+{
+    const struct shader_node *const node = shader_resource_node(plan->form, buffer);
+    if (node->op == SHADER_PUSH) {
+        return true;
+    }
+    return node->op == SHADER_BUFFER &&
+           (!plan->has_effects ||
+            (plan->form->resources[node->immediate].variable->storage == SPIRV_UNIFORM &&
+             !plan->form->resources[node->immediate].type->is_buffer_block));
+}
+
+static void find_hoisted(struct shader_c_plan *plan)
+{
+    const struct shader_program *const form = plan->form;
+    for (uint32_t i = 0; i < form->code_count; i++) {
+        const uint32_t value = form->code[i];
+        struct shader_node *const node = &form->nodes[value];
+        const enum shader_op op = (enum shader_op)node->op;
+        const enum shader_op_kind kind = shader_op_kind_of(op);
+        bool is_once = is_uniform(plan, value) &&
+                       (kind == SHADER_KIND_VALUE || op == SHADER_LENGTH || op == SHADER_COPY ||
+                        (op == SHADER_LOAD && is_constant_memory(plan, node->operands[0])));
+        uint32_t count;
+        const uint32_t *const operands = operands_at(plan, i, &count);
+        for (uint32_t o = 0; o < count; o++) {
+            is_once =
+                is_once && (form->nodes[operands[o]].op == SHADER_CONSTANT || plan->is_hoisted[operands[o]]);
+        }
+        plan->is_hoisted[value] = is_once || op == SHADER_PUSH || op == SHADER_WORKGROUP;
+    }
+}
+
+// Types ----------------------------------------------------------------------------------------------
+
+// Return 1 for an operation that gives a float, 0 for one that gives an integer, −1 for one that gives either.
+static int gives_float(const struct shader_node *node)
+{
+    switch ((enum shader_op)node->op) {
+    case SHADER_CONSTANT:
+    case SHADER_HOME:
+    case SHADER_COPY:
+    case SHADER_SELECT:
+    case SHADER_LOAD: return -1;
+    case SHADER_BUILT_IN:
+        return (node->immediate >= SHADER_IN_COORD && node->immediate < SHADER_IN_COORD + 4) ||
+               (node->immediate >= SHADER_IN_SAMPLE_POSITION &&
+                node->immediate < SHADER_IN_SAMPLE_POSITION + 2) ||
+               (node->immediate >= SHADER_IN_POINT_COORD && node->immediate < SHADER_IN_POINT_COORD + 2);
+    case SHADER_FADD:
+    case SHADER_FSUB:
+    case SHADER_FMUL:
+    case SHADER_FDIV:
+    case SHADER_FMIN:
+    case SHADER_FMAX:
+    case SHADER_FSQRT:
+    case SHADER_FLOOR:
+    case SHADER_CEIL:
+    case SHADER_TRUNC:
+    case SHADER_ROUND_EVEN:
+    case SHADER_FLOAT_FROM_INT:
+    case SHADER_FLOAT_FROM_UINT:
+    case SHADER_UNPACK_LOW_HALF:
+    case SHADER_UNPACK_HIGH_HALF:
+    case SHADER_INPUT:
+    case SHADER_INPUT_DX:
+    case SHADER_INPUT_DY:
+    case SHADER_INPUT_BESIDE:
+    case SHADER_INPUT_BELOW:
+    case SHADER_PART: return 1;
+    default: return node->op >= SHADER_SIN && node->op <= SHADER_FREXP_FRACTION;
+    }
+}
+
+// Return true if an operation takes this operand as a float.
+static bool takes_float(const struct shader_node *node, uint32_t number)
+{
+    const enum shader_op op = (enum shader_op)node->op;
+    const uint32_t does = node->immediate & 15;
+    switch (op) {
+    case SHADER_FADD:
+    case SHADER_FSUB:
+    case SHADER_FMUL:
+    case SHADER_FDIV:
+    case SHADER_FMIN:
+    case SHADER_FMAX:
+    case SHADER_FSQRT:
+    case SHADER_FLOOR:
+    case SHADER_CEIL:
+    case SHADER_TRUNC:
+    case SHADER_ROUND_EVEN:
+    case SHADER_FEQUAL:
+    case SHADER_FLESS:
+    case SHADER_FLESS_EQUAL:
+    case SHADER_INT_FROM_FLOAT:
+    case SHADER_UINT_FROM_FLOAT:
+    case SHADER_PACK_HALVES:
+    case SHADER_OUTPUT: return true;
+    case SHADER_SAMPLE:
+        return number >= SHADER_IMAGE_COORDINATES && number < SHADER_IMAGE_OFFSET &&
+               does != SHADER_DO_FETCH && does != SHADER_DO_LOAD && does != SHADER_DO_SIZE;
+    case SHADER_LDEXP: return number == 0;
+    default: return op >= SHADER_SIN && op <= SHADER_FREXP_EXPONENT;
+    }
+}
+
+// What may be either is a float if something takes it as one, or if it comes from one.
+static void find_types(struct shader_c_plan *plan)
+{
+    const struct shader_program *const form = plan->form;
+    for (uint32_t value = 0; value < form->node_count; value++) {
+        plan->is_float[value] = gives_float(&form->nodes[value]) == 1;
+    }
+    for (int round = 0; round < 3; round++) {
+        for (uint32_t i = form->code_count; i-- > 0;) {
+            const struct shader_node *const node = &form->nodes[form->code[i]];
+            const enum shader_op op = (enum shader_op)node->op;
+            const bool passes_on = gives_float(node) < 0 && op != SHADER_LOAD;
+            uint32_t count;
+            const uint32_t *const operands = operands_at(plan, i, &count);
+            for (uint32_t o = 0; o < count; o++) {
+                const bool is_either = gives_float(&form->nodes[operands[o]]) < 0;
+                const bool is_wanted =
+                    takes_float(node, o) ||
+                    (passes_on && plan->is_float[form->code[i]] && (op != SHADER_SELECT || o > 0)) ||
+                    (op == SHADER_SET && o == 1 && plan->is_float[operands[0]]);
+                plan->is_float[operands[o]] = plan->is_float[operands[o]] || (is_either && is_wanted);
+            }
+            if (op == SHADER_SET && form->nodes[operands[1]].op != SHADER_CONSTANT) {
+                plan->is_float[operands[0]] = plan->is_float[operands[0]] || plan->is_float[operands[1]];
+            }
+            const uint32_t from = op == SHADER_SELECT ? 1 : 0;
+            if (passes_on && form->nodes[operands[from]].op != SHADER_CONSTANT) {
+                plan->is_float[form->code[i]] =
+                    plan->is_float[form->code[i]] || plan->is_float[operands[from]];
+            }
+        }
+    }
+}
+
+void shader_c_make_plan(struct shader_memory *memory, const struct shader_program *form,
+                        struct shader_c_plan *plan)
+{
+    const uint32_t nodes = form->node_count, places = form->code_count + 1;
+    *plan = (struct shader_c_plan){.form = form,
+                                   .structures = shader_take(memory, places, sizeof *plan->structures),
+                                   .place = shader_take(memory, nodes, sizeof(uint32_t)),
+                                   .block = shader_take(memory, places, sizeof(uint32_t)),
+                                   .run = shader_take(memory, places, sizeof(uint32_t)),
+                                   .uses = shader_take(memory, nodes, sizeof(uint32_t)),
+                                   .last_use = shader_take(memory, nodes, sizeof(uint32_t)),
+                                   .is_float = shader_take(memory, nodes, sizeof(bool)),
+                                   .is_hoisted = shader_take(memory, nodes, sizeof(bool)),
+                                   .is_kept = shader_take(memory, nodes, sizeof(bool)),
+                                   .home_run = shader_take(memory, nodes, sizeof(uint32_t))};
+    for (uint32_t value = 0; value < nodes; value++) {
+        plan->place[value] = SHADER_C_NONE;
+    }
+    count_uses(plan);
+    find_structures(memory, plan);
+    find_wide(memory, plan);
+    for (uint32_t i = 0; i < form->code_count; i++) {
+        plan->has_cuts = plan->has_cuts || shader_c_is_cut(plan, i);
+    }
+    (void)number_runs(plan, 0, form->code_count, 0);
+    find_hoisted(plan);
+    find_kept(memory, plan);
+    find_types(plan);
+}

@@ -1,0 +1,293 @@
+// SPDX-License-Identifier: MIT
+// Values as expressions. A value that is read once, in the same block, stands where it is read, unless the line would be
+// long.
+#include "c_emit.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+enum { LONGEST = 64 };
+
+// How an operation is written: an operator or a function, whether it gives a float, and whether its operands are floats.
+struct notation {
+    const char *text;
+    bool gives_float, takes_float[2];
+};
+
+#define FLOATS     \
+    {              \
+        true, true \
+    }
+#define FIRST_FLOAT \
+    {               \
+        true, false \
+    }
+#define WHOLES       \
+    {                \
+        false, false \
+    }
+
+static const struct notation notations[SHADER_OP_COUNT] = {
+    [SHADER_FADD] = {"+", true, FLOATS},
+    [SHADER_FSUB] = {"-", true, FLOATS},
+    [SHADER_FMUL] = {"*", true, FLOATS},
+    [SHADER_FDIV] = {"/", true, FLOATS},
+    [SHADER_FMIN] = {"rhw_min", true, FLOATS},
+    [SHADER_FMAX] = {"rhw_max", true, FLOATS},
+    [SHADER_FSQRT] = {"rhw_sqrt", true, FLOATS},
+    [SHADER_FLOOR] = {"rhw_floor", true, FLOATS},
+    [SHADER_CEIL] = {"rhw_ceil", true, FLOATS},
+    [SHADER_TRUNC] = {"rhw_trunc", true, FLOATS},
+    [SHADER_ROUND_EVEN] = {"rhw_round", true, FLOATS},
+    [SHADER_FEQUAL] = {"rhw_equal", false, FLOATS},
+    [SHADER_FLESS] = {"rhw_less", false, FLOATS},
+    [SHADER_FLESS_EQUAL] = {"rhw_less_equal", false, FLOATS},
+    [SHADER_IADD] = {"rhw_spirv_add", false, WHOLES},
+    [SHADER_ISUB] = {"rhw_spirv_sub", false, WHOLES},
+    [SHADER_IMUL] = {"rhw_spirv_mul", false, WHOLES},
+    [SHADER_IMUL_HIGH] = {"rhw_spirv_mul_high", false, WHOLES},
+    [SHADER_UMUL_HIGH] = {"rhw_spirv_mul_high_uint", false, WHOLES},
+    [SHADER_IDIV] = {"rhw_divide_int", false, WHOLES},
+    [SHADER_UDIV] = {"rhw_divide_uint", false, WHOLES},
+    [SHADER_IREM] = {"rhw_remainder_int", false, WHOLES},
+    [SHADER_UREM] = {"rhw_remainder_uint", false, WHOLES},
+    [SHADER_AND] = {"&", false, WHOLES},
+    [SHADER_OR] = {"|", false, WHOLES},
+    [SHADER_XOR] = {"^", false, WHOLES},
+    [SHADER_NOT] = {"~", false, WHOLES},
+    [SHADER_SHIFT_LEFT] = {"rhw_spirv_shift_left", false, WHOLES},
+    [SHADER_SHIFT_RIGHT] = {"rhw_spirv_shift_right", false, WHOLES},
+    [SHADER_SHIFT_RIGHT_SIGNED] = {"rhw_spirv_shift_right_signed", false, WHOLES},
+    [SHADER_IEQUAL] = {"rhw_equal_int", false, WHOLES},
+    [SHADER_ILESS] = {"rhw_less_int", false, WHOLES},
+    [SHADER_ULESS] = {"rhw_spirv_less_uint", false, WHOLES},
+    [SHADER_BIT_REVERSE] = {"rhw_bit_reverse", false, WHOLES},
+    [SHADER_BIT_COUNT] = {"rhw_bit_count", false, WHOLES},
+    [SHADER_FIND_LOWEST] = {"rhw_find_lsb", false, WHOLES},
+    [SHADER_FIND_HIGHEST] = {"rhw_find_msb_uint", false, WHOLES},
+    [SHADER_FLOAT_FROM_INT] = {"rhw_float_from_int", true, WHOLES},
+    [SHADER_FLOAT_FROM_UINT] = {"rhw_spirv_float_from_uint", true, WHOLES},
+    [SHADER_INT_FROM_FLOAT] = {"rhw_int_from_float", false, FLOATS},
+    [SHADER_UINT_FROM_FLOAT] = {"rhw_spirv_uint_from_float", false, FLOATS},
+    [SHADER_PACK_HALVES] = {"rhw_spirv_pack_halves", false, FLOATS},
+    [SHADER_UNPACK_LOW_HALF] = {"rhw_spirv_low_half", true, WHOLES},
+    [SHADER_UNPACK_HIGH_HALF] = {"rhw_spirv_high_half", true, WHOLES},
+    [SHADER_SIN] = {"rhw_sin", true, FLOATS},
+    [SHADER_COS] = {"rhw_cos", true, FLOATS},
+    [SHADER_TAN] = {"rhw_tan", true, FLOATS},
+    [SHADER_ASIN] = {"rhw_asin", true, FLOATS},
+    [SHADER_ACOS] = {"rhw_acos", true, FLOATS},
+    [SHADER_ATAN] = {"rhw_atan", true, FLOATS},
+    [SHADER_ATAN2] = {"rhw_atan2", true, FLOATS},
+    [SHADER_SINH] = {"rhw_sinh", true, FLOATS},
+    [SHADER_COSH] = {"rhw_cosh", true, FLOATS},
+    [SHADER_TANH] = {"rhw_tanh", true, FLOATS},
+    [SHADER_ASINH] = {"rhw_asinh", true, FLOATS},
+    [SHADER_ACOSH] = {"rhw_acosh", true, FLOATS},
+    [SHADER_ATANH] = {"rhw_atanh", true, FLOATS},
+    [SHADER_EXP] = {"rhw_exp", true, FLOATS},
+    [SHADER_LOG] = {"rhw_log", true, FLOATS},
+    [SHADER_EXP2] = {"rhw_exp2", true, FLOATS},
+    [SHADER_LOG2] = {"rhw_log2", true, FLOATS},
+    [SHADER_POW] = {"rhw_pow", true, FLOATS},
+    [SHADER_RSQRT] = {"rhw_rsqrt", true, FLOATS},
+    [SHADER_LDEXP] = {"rhw_ldexp", true, FIRST_FLOAT},
+    [SHADER_FREXP_FRACTION] = {"rhw_spirv_fraction", true, FLOATS},
+    [SHADER_FREXP_EXPONENT] = {"rhw_spirv_exponent", false, FLOATS},
+};
+
+// Numbers --------------------------------------------------------------------------------------------
+
+bool shader_c_is_number(const struct shader_emitter *emitter, uint32_t value, uint32_t *bits)
+{
+    const struct shader_node *const node = &emitter->form->nodes[value];
+    *bits = node->immediate;
+    return node->op == SHADER_CONSTANT;
+}
+
+// Return a literal, or NULL for a float that has none.
+static const char *literal(struct shader_emitter *emitter, uint32_t bits, bool as_float)
+{
+    if (!as_float) {
+        return bits == 0x80000000 ? "INT32_MIN" : shader_format(emitter->memory, "%d", (int)bits);
+    }
+    float number;
+    memcpy(&number, &bits, sizeof number);
+    if (!isfinite(number)) {
+        return NULL;
+    }
+    char digits[32];
+    snprintf(digits, sizeof digits, "%.9g", (double)number);
+    return shader_format(emitter->memory, "%s%s", digits, strpbrk(digits, ".e") ? "f" : ".0f");
+}
+
+const char *shader_c_number(struct shader_emitter *emitter, uint32_t bits, bool as_float)
+{
+    const char *const text = literal(emitter, bits, as_float);
+    if (!text) {
+        return shader_format(emitter->memory, "rhw_float_from_bits(rhw_splat_int(%s))",
+                             literal(emitter, bits, false));
+    }
+    return shader_format(emitter->memory, as_float ? "rhw_splat(%s)" : "rhw_splat_int(%s)", text);
+}
+
+// Operands -------------------------------------------------------------------------------------------
+
+const char *shader_c_name(struct shader_emitter *emitter, uint32_t value)
+{
+    const struct shader_c_plan *const plan = &emitter->plan;
+    const char letter = emitter->form->nodes[value].op == SHADER_HOME ? 'h'
+                        : plan->is_hoisted[value]                     ? 'u'
+                                                                      : 'v';
+    if (plan->is_kept[value]) {
+        return shader_format(emitter->memory, "%c%u[%s]", letter, (unsigned)value, emitter->group);
+    }
+    return shader_format(emitter->memory, "%c%u", letter, (unsigned)value);
+}
+
+// Return a value that is no number, as it is declared or written in its place.
+static const char *text_of(struct shader_emitter *emitter, uint32_t value)
+{
+    const char *const text = emitter->inlined[value];
+    return text ? text : shader_c_name(emitter, value);
+}
+
+static const char *converted(struct shader_emitter *emitter, uint32_t value, bool as_float, const char *text)
+{
+    if (emitter->plan.is_float[value] == as_float) {
+        return text;
+    }
+    return shader_format(emitter->memory, as_float ? "rhw_float_from_bits(%s)" : "rhw_bits_from_float(%s)",
+                         text);
+}
+
+const char *shader_c_argument(struct shader_emitter *emitter, uint32_t value, bool as_float)
+{
+    uint32_t bits;
+    if (shader_c_is_number(emitter, value, &bits)) {
+        return shader_c_number(emitter, bits, as_float);
+    }
+    return converted(emitter, value, as_float, text_of(emitter, value));
+}
+
+// Return true if a text has an operator outside of brackets.
+static bool is_compound(const char *text)
+{
+    int depth = 0;
+    for (const char *c = text; *c != '\0'; c++) {
+        depth += *c == '(' || *c == '[' ? 1 : *c == ')' || *c == ']' ? -1 : 0;
+        if (depth == 0 && *c == ' ') {
+            return true;
+        }
+    }
+    return false;
+}
+
+const char *shader_c_operand(struct shader_emitter *emitter, uint32_t value, bool as_float)
+{
+    uint32_t bits;
+    if (shader_c_is_number(emitter, value, &bits)) {
+        const char *const text = literal(emitter, bits, as_float);
+        return text ? text : shader_c_number(emitter, bits, as_float);
+    }
+    const char *const text = converted(emitter, value, as_float, text_of(emitter, value));
+    return is_compound(text) ? shader_format(emitter->memory, "(%s)", text) : text;
+}
+
+// Operations -----------------------------------------------------------------------------------------
+
+static const char *expression_of(struct shader_emitter *emitter, uint32_t value)
+{
+    struct shader_memory *const memory = emitter->memory;
+    const struct shader_node *const node = &emitter->form->nodes[value];
+    const enum shader_op op = (enum shader_op)node->op;
+    const struct notation *const notation = &notations[op];
+    const uint32_t *const operands = node->operands;
+    if (op == SHADER_COPY) {
+        return shader_c_argument(emitter, operands[0], emitter->plan.is_float[value]);
+    }
+    if (op == SHADER_SELECT) {
+        const bool is_float = emitter->plan.is_float[value];
+        return shader_format(memory, "%s(%s, %s, %s)", is_float ? "rhw_select" : "rhw_select_int",
+                             shader_c_argument(emitter, operands[0], false),
+                             shader_c_argument(emitter, operands[1], is_float),
+                             shader_c_argument(emitter, operands[2], is_float));
+    }
+    const char first = notation->text[0];
+    const bool is_function = first >= 'a' && first <= 'z';
+    if (shader_op_operands(op) == 1) {
+        return is_function ? shader_format(memory, "%s(%s)", notation->text,
+                                           shader_c_argument(emitter, operands[0], notation->takes_float[0]))
+                           : shader_format(memory, "%s%s", notation->text,
+                                           shader_c_operand(emitter, operands[0], notation->takes_float[0]));
+    }
+    if (is_function) {
+        return shader_format(memory, "%s(%s, %s)", notation->text,
+                             shader_c_argument(emitter, operands[0], notation->takes_float[0]),
+                             shader_c_argument(emitter, operands[1], notation->takes_float[1]));
+    }
+    // Of two numbers one is written as lanes.
+    uint32_t bits;
+    const bool are_numbers =
+        shader_c_is_number(emitter, operands[0], &bits) && shader_c_is_number(emitter, operands[1], &bits);
+    const char *const left = are_numbers ? shader_c_argument(emitter, operands[0], notation->takes_float[0])
+                                         : shader_c_operand(emitter, operands[0], notation->takes_float[0]);
+    return shader_format(memory, "%s %s %s", left, notation->text,
+                         shader_c_operand(emitter, operands[1], notation->takes_float[1]));
+}
+
+void shader_c_define(struct shader_emitter *emitter, uint32_t value, const char *expression,
+                     const char *comment)
+{
+    const struct shader_c_plan *const plan = &emitter->plan;
+    const char *const type = plan->is_float[value] ? "rhw_float" : "rhw_int";
+    const char *const space = comment[0] ? " // " : "";
+    if (plan->is_kept[value]) {
+        shader_text_line(&emitter->arrays, "%s v%u[GROUPS];", type, (unsigned)value);
+        shader_text_line(emitter->out, "v%u[g] = %s;%s%s", (unsigned)value, expression, space, comment);
+        return;
+    }
+    shader_text_line(emitter->out, "const %s %s = %s;%s%s", type, shader_c_name(emitter, value), expression,
+                     space, comment);
+}
+
+// A value may stand where it is read if nothing that it reads can have changed by then.
+static bool may_stand_elsewhere(const struct shader_emitter *emitter, uint32_t place, const char *expression)
+{
+    const struct shader_c_plan *const plan = &emitter->plan;
+    const uint32_t value = emitter->form->code[place];
+    const uint32_t reader = plan->last_use[value];
+    const struct shader_node *const node = &emitter->form->nodes[value];
+    const struct shader_node *const user = &emitter->form->nodes[emitter->form->code[reader]];
+    if (plan->uses[value] != 1 || plan->block[reader] != plan->block[place] || plan->is_kept[value] ||
+        plan->is_hoisted[value] != plan->is_hoisted[emitter->form->code[reader]] || user->op == SHADER_IF ||
+        user->op == SHADER_SAMPLE || user->op == SHADER_IMAGE_STORE || user->op == SHADER_ATOMIC ||
+        user->op == SHADER_BUFFER || user->op == SHADER_LOAD || strlen(expression) > LONGEST) {
+        return false;
+    }
+    for (int o = 0; o < shader_op_operands((enum shader_op)node->op); o++) {
+        if (emitter->form->nodes[node->operands[o]].op == SHADER_HOME) {
+            return false;
+        }
+    }
+    return true;
+}
+
+void shader_c_write_value(struct shader_emitter *emitter, uint32_t place)
+{
+    const uint32_t value = emitter->form->code[place];
+    const struct shader_node *const node = &emitter->form->nodes[value];
+    const enum shader_op op = (enum shader_op)node->op;
+    if (op != SHADER_COPY && op != SHADER_SELECT && !notations[op].text) {
+        snprintf(emitter->memory->message, sizeof emitter->memory->message,
+                 "the operation %s cannot be written as C", shader_op_name(op));
+        shader_memory_end(emitter->memory);
+    }
+    const char *const expression = expression_of(emitter, value);
+    if (op != SHADER_COPY && may_stand_elsewhere(emitter, place, expression)) {
+        emitter->inlined[value] = expression;
+        return;
+    }
+    shader_c_define(emitter, value, expression, "");
+}

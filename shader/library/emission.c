@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+// A linked program as C.
+#include <stdlib.h>
+#include <string.h>
+
+#include "emitter/emitter.h"
+#include "program.h"
+
+static bool is_identifier(const char *name)
+{
+    static const char letters[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_";
+    static const char all[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_0123456789";
+    return name && name[0] != '\0' && strchr(letters, name[0]) && name[strspn(name, all)] == '\0';
+}
+
+// Return what a module calls a binding, or NULL.
+static const char *name_of(const rhw_shader_program *program, const struct rhw_shader_layout *layout)
+{
+    for (int s = 0; s < STAGES; s++) {
+        const rhw_shader *const shader = program->shaders[s];
+        for (uint32_t r = 0; shader && r < shader->info.resource_count; r++) {
+            const struct rhw_shader_resource *const resource = &shader->info.resources[r];
+            if (resource->set == layout->set && resource->binding == layout->binding && resource->name[0]) {
+                return resource->name;
+            }
+        }
+    }
+    return NULL;
+}
+
+static struct shader_c_stage describe_stage(struct shader_memory *memory, const rhw_shader_program *program,
+                                            int s)
+{
+    const struct shader_program *const form = program->shaders[s]->form;
+    const struct shader_bytecode *const bytecode = &program->bytecode[s];
+    struct shader_c_slot *const slots = shader_take(memory, form->resource_count, sizeof *slots);
+    for (uint32_t r = 0; r < form->resource_count; r++) {
+        slots[r] = (struct shader_c_slot){program->slots[s][r].set, program->slots[s][r].first,
+                                          program->slots[s][r].count};
+    }
+    return (struct shader_c_stage){.form = form,
+                                   .slots = slots,
+                                   .component_of = bytecode->component_of,
+                                   .is_linear = bytecode->is_linear,
+                                   .w_component = bytecode->w_component,
+                                   .batch = bytecode->batch,
+                                   .target_count = bytecode->target_count};
+}
+
+// Return the text in the memory, through which a program that is refused ends.
+static const char *write_program(struct shader_memory *memory, const rhw_shader_program *program,
+                                 const struct rhw_shader_c_def *def)
+{
+    const char **const names = shader_take(memory, program->layout_count, sizeof *names);
+    for (uint32_t i = 0; i < program->layout_count; i++) {
+        names[i] = name_of(program, &program->layout[i]);
+    }
+    struct shader_c_program all = {.name = def->name,
+                                   .source = def->source,
+                                   .program = &program->program,
+                                   .compute = program->shaders[RHW_SHADER_COMPUTE] ? &program->compute : NULL,
+                                   .layout = program->layout,
+                                   .layout_count = program->layout_count,
+                                   .layout_names = names};
+    for (int s = 0; s < STAGES; s++) {
+        const bool is_left_out = s == RHW_SHADER_FRAGMENT && !program->program.fragment[RHW_ISA_BASELINE];
+        if (program->shaders[s] && !is_left_out) {
+            all.stages[s] = describe_stage(memory, program, s);
+        }
+    }
+    return shader_c_write(memory, &all);
+}
+
+enum rhw_result rhw_shader_program_emit_c(const rhw_shader_program *program,
+                                          const struct rhw_shader_c_def *def, char **text, char *message)
+{
+    struct shader_memory memory;
+    *text = NULL;
+    shader_say(message, "%s", "");
+    if (!def || !is_identifier(def->name)) {
+        shader_say(message, "rhw_shader_program_emit_c: the name is an identifier of C");
+        return RHW_ERROR_MISUSE;
+    }
+    shader_memory_init(&memory, RHW_SHADER_MAX_MEMORY);
+    if (setjmp(memory.end) == 0) {
+        const char *const written = write_program(&memory, program, def);
+        const size_t size = strlen(written) + 1;
+        *text = malloc(size);
+        if (*text) {
+            memcpy(*text, written, size);
+        }
+        memory.is_short = !*text;
+    }
+    const bool is_short = memory.is_short;
+    if (!*text) {
+        shader_say(message, "%s",
+                   is_short ? "out of memory, or of what a translation may take" : memory.message);
+    }
+    shader_memory_free(&memory);
+    return *text ? RHW_OK : is_short ? RHW_ERROR_OUT_OF_MEMORY : RHW_ERROR_MISUSE;
+}
+
+void rhw_shader_free_text(char *text)
+{
+    free(text);
+}

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// A program that was linked, shared by what makes it and what writes it as C.
+#ifndef SHADER_PROGRAM_H
+#define SHADER_PROGRAM_H
+
+#include "shader.h"
+
+enum { STAGES = RHW_SHADER_STAGE_COUNT, MAX_TARGETS = RHW_MAX_COLOR_ATTACHMENTS };
+
+struct rhw_shader_program {
+    const rhw_shader *shaders[STAGES];
+    struct shader_bytecode bytecode[STAGES]; // of the shaders, with slots and components
+    struct shader_slot *slots[STAGES];
+    struct shader_stages stages;
+    struct rhw_shader_layout *layout; // by set and binding, each once
+    uint32_t layout_count;
+    struct rhw_program program;
+    struct rhw_compute_program compute;
+};
+
+#endif

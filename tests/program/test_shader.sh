@@ -1,0 +1,180 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# rhw shader: what it tells of shaders, what it writes and computes, and files that are none.
+. "$(dirname "$0")/harness.sh"
+
+cat >double.comp <<'GLSL'
+layout(local_size_x = 8) in;
+layout(constant_id = 3) const float factor = 2.0;
+layout(constant_id = 4) const int more = 0;
+layout(set = 0, binding = 1) readonly buffer Source { float source[]; };
+layout(set = 0, binding = 2) buffer Sink { float sink[]; };
+layout(push_constant) uniform Push { float shift; };
+
+void main()
+{
+    sink[gl_GlobalInvocationID.x] = source[gl_GlobalInvocationID.x] * factor + shift + float(more);
+}
+GLSL
+"$rhw" shader double.comp >"$folder/log/out" 2>"$folder/log/err"
+if grep -q "built without glslang" "$folder/log/err"; then
+    refuse 1 "double.comp: this rhw was built without glslang, so it reads SPIR-V alone" shader double.comp
+    refuse 2 "double.txt: a shader's file is named .vert, .frag, .comp \(GLSL\) or .spv" shader double.txt
+    finish
+fi
+
+# What a shader is.
+cat >want <<'TEXT'
+double.comp: compute shader main
+resources, by set and binding
+  0:1   storage buffer, read only, Source, 0 bytes
+         0  float[]      source
+  0:2   storage buffer Sink, 0 bytes
+         0  float[]      sink
+push constants, 4 bytes
+         0  float        shift
+workgroup of 8x1x1, 0 bytes shared
+TEXT
+succeed shader double.comp
+check "the table" cmp want "$folder/log/out"
+succeed shader --print info double.comp
+check "the table by name" cmp want "$folder/log/out"
+succeed shader --json double.comp
+check "JSON" grep -q '{"set": 0, "binding": 1, "kind": "storage buffer", "count": 1, "name": "Source", "read_only": true, "bytes": 0, "members": \[{"name": "source", "offset": 0, "type": "float\[\]"}\]}' \
+    "$folder/log/out"
+if command -v python3 >/dev/null 2>&1; then
+    check "JSON of a shader" python3 -m json.tool "$folder/log/out" /dev/null
+fi
+
+# SPIR-V is written whole, and read again.
+succeed shader double.comp -o double.spv
+check "words" test "$(od -A n -t x4 -N 8 double.spv | tr -d ' ')" = 0723020300010300
+check "nothing is said of what is written" test ! -s "$folder/log/out"
+succeed shader double.spv
+check "the table of a module" test "$(tail -n +2 "$folder/log/out" | cksum)" = "$(tail -n +2 want | cksum)"
+succeed shader --print spirv double.spv
+check "instructions" grep -q 'OpEntryPoint GLCompute %main "main" %gl_GlobalInvocationID' "$folder/log/out"
+succeed shader --print ir double.comp
+check "lines of the source" grep -q "^; double.comp:10  sink\[gl_GlobalInvocationID.x\] = source" "$folder/log/out"
+check "operations" grep -Eq "^v[0-9]+ = fmul v[0-9]+ 2.0$" "$folder/log/out"
+cp "$folder/log/out" passes
+succeed shader --print ir --after build double.comp
+check "no operation is uniform before passes" sh -c "! grep -q '^u' '$folder/log/out' && grep -q '^u' passes"
+succeed shader --print bytecode double.comp
+check "bytecode" grep -Eq "^ +[0-9]+  end *$" "$folder/log/out"
+
+# What it computes.
+succeed shader double.comp --run --buffer 0:1=f32:1,2,3,4.5 --buffer 0:2=20 --push f32:0.25 --result 0:2=f32
+check "numbers" test "$(cat "$folder/log/out")" = "2.25,4.25,6.25,9.25,0.25"
+succeed shader double.spv --run --buffer 0:1=f32:1,2,3,4.5 --buffer 0:2=20 --result 0:2=f32 --constant 3=3 --constant 4=10
+check "constants" test "$(cat "$folder/log/out")" = "13,16,19,23.5,10"
+succeed shader double.comp --run --buffer 0:1=f32:1 --buffer 0:2=8 --result 0:2=sink.bin --result 0:2=u32
+check "bits" test "$(cat "$folder/log/out")" = "1073741824,0"
+check "a file" test "$(od -A n -t f4 sink.bin | tr -d ' ')" = 20
+succeed shader double.comp --run --buffer 0:1=sink.bin --buffer 0:2=80 --result 0:2=f32 --groups 2
+check "groups, and a file read" test "$(cat "$folder/log/out")" = "4,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0"
+
+# What it draws: uniforms by their names, a texture, and a macro from a file that is included.
+mkdir library
+echo 'vec3 tone(vec3 c) { return c * TONE; }' >library/tone.glsl
+cat >paint.frag <<'GLSL'
+#include "tone.glsl"
+layout(location = 0) in vec2 uv;
+layout(location = 0) out vec4 color;
+layout(binding = 0) uniform sampler2D picture;
+uniform vec3 iResolution;
+uniform float iTime;
+
+void main()
+{
+    float side = gl_FragCoord.x < iResolution.x / 2.0 ? iTime : 1.0;
+    color = vec4(tone(texture(picture, uv).rgb) * side, 1.0);
+}
+GLSL
+printf 'P6 2 2 255\n\310\000\000\000\310\000\000\000\310\310\310\310' >four.ppm
+succeed shader paint.frag -D TONE=0.5 -I library --run --size 2x2 --time 0 --texture 0:0=four.ppm -o paint.png
+printf 'P6 2 2 255\n\000\000\000\000\144\000\000\000\000\144\144\144' >want.ppm
+succeed compare paint.png want.ppm
+no_temporary_files
+cat >red.vert <<'GLSL'
+layout(location = 3) out float red;
+void main()
+{
+    gl_Position = vec4(gl_VertexIndex == 1 ? 3 : -1, gl_VertexIndex == 2 ? 3 : -1, 0, 1);
+    red = 1.0;
+}
+GLSL
+printf 'layout(location = 3) in float red;\nlayout(location = 0) out vec4 c;\nvoid main() { c = vec4(red, 0, 0, 1); }\n' >red.frag
+succeed shader red.vert red.frag --run --size 1 -o red.png
+printf 'P6 1 1 255\n\377\000\000' >want.ppm
+succeed compare red.png want.ppm
+succeed shader red.vert red.frag
+check "both tables" test "$(grep -c '^red.*shader main$' "$folder/log/out")" = 2
+
+printf 'layout(location = 0) out vec4 c;\nvoid main() { c = vec4(1); }\n' >flat.frag
+
+# What is wrong is told in one line, and nothing is written.
+printf 'void main()\n{\n    foo = 1;\n    bar();\n}\n' >wrong.frag
+refuse 1 "wrong.frag:3: 'foo' : undeclared identifier$" shader wrong.frag -o wrong.spv
+run shader --all-errors wrong.frag
+check "all errors" grep -q "^rhw: wrong.frag:4: 'bar' : no matching overloaded function found$" "$folder/log/err"
+refuse 1 "paint.frag:1: '#include' : there is no such file for header name: tone.glsl" shader paint.frag -D TONE=1
+refuse 1 "paint.frag:5: 'non-opaque uniforms outside a block'" shader paint.frag -D TONE=1 -I library
+succeed shader paint.frag -D TONE=1 -I library --relaxed
+refuse 1 "red.frag: reads red at location 3; a vertex shader beside it gives that" shader red.frag --run -o a.png
+printf 'layout(location = 2) in float red;\nlayout(location = 0) out vec4 c;\nvoid main() { c = vec4(red); }\n' >other.frag
+refuse 1 "other.frag: the fragment stage reads a location that the vertex stage does not write" shader red.vert other.frag
+refuse 1 "red.frag: is a fragment shader, and another is one, too" shader other.frag red.frag
+refuse 1 "double.comp: a compute shader goes alone" shader double.comp red.frag
+refuse 1 "none.frag: cannot be opened: No such file" shader none.frag
+refuse 1 "library.frag: cannot be opened" shader library.frag
+head -c 61 double.spv >cut.spv
+refuse 1 "cut.spv: a SPIR-V module is a number of whole words, 5 at least" shader cut.spv
+head -c 400 double.spv >cut.spv
+refuse 1 "cut.spv: " shader cut.spv
+printf '\001\000\000\000\001\000\000\000\001\000\000\000\001\000\000\000\001\000\000\000' >cut.spv
+refuse 1 "cut.spv: .*magic number" shader cut.spv
+: >empty.spv
+refuse 1 "empty.spv: a SPIR-V module is a number of whole words" shader empty.spv
+# Capability Kernel, in the words behind the header.
+{ head -c 20 double.spv; printf '\021\000\002\000\006\000\000\000'; tail -c +29 double.spv; } >kernel.spv
+refuse 1 "kernel.spv: word 5, OpCapability: capability 6 is not supported" shader kernel.spv
+refuse 1 "double.spv: the module has no compute entry point \"other\"|double.spv: the module has no .* entry point" shader double.spv --entry other
+succeed shader flat.frag -o red.spv
+refuse 1 "--run: buffer 0:1 has no length of its own; --buffer 0:1=BYTES" shader double.spv --run --result 0:2=f32
+refuse 1 "--buffer: '0:7=4': no shader here uses a buffer 0:7" shader double.spv --run --buffer 0:7=4 --buffer 0:1=4 \
+    --buffer 0:2=4 --result 0:2=f32
+refuse 1 "--constant: '9=1': double.spv has no constant 9" shader double.spv --constant 9=1
+refuse 1 "--constant: '4=0.5': constant 4 of double.spv is a whole number" shader double.spv --constant 4=0.5
+refuse 1 "--push: no shader here has push constants" shader red.spv --run --push u32:1 -o a.png
+refuse 1 "--buffer: '0:2=0': a buffer has 1 to" shader double.spv --run --buffer 0:1=4 --buffer 0:2=0 --result 0:2=f32
+refuse 1 "--buffer: '0:2=f32:1,x': number 2 is no f32" shader double.spv --run --buffer 0:1=4 --buffer 0:2=f32:1,x --result 0:2=f32
+refuse 1 "wrong.txt: a shader's file is named .vert, .frag, .comp \(GLSL\) or .spv" shader wrong.txt
+refuse 1 "'2' cannot be defined: a macro's name has letters" shader red.frag -D 2
+
+refuse 2 "--run: of a compute shader needs --result" shader double.spv --run
+refuse 2 "--run: of a fragment shader needs -o" shader red.spv --run
+refuse 2 "red.vert: a vertex shader runs with a fragment shader beside it" shader red.vert --run -o a.png
+refuse 2 "a.png: a compute shader has no picture" shader double.spv --run --result 0:2=f32 -o a.png
+refuse 2 "a.png: SPIR-V is named .spv; a picture, .png, is drawn with --run" shader red.frag -o a.png
+refuse 2 "a.spv: a picture of --run is named .png" shader red.frag --run -o a.spv
+refuse 2 "a.spv: takes one FILE" shader red.vert red.frag -o a.spv
+refuse 2 "--print: 'glsl' is not info, spirv, ir or bytecode" shader red.frag --print glsl
+refuse 2 "--json: goes with --print info alone" shader red.frag --json --print ir
+refuse 2 "--after: goes with --print ir alone" shader red.frag --after build
+refuse 2 "--time: goes with --run alone" shader red.frag --time 1
+refuse 2 "--run: prints results alone" shader double.spv --run --json --result 0:2=f32
+refuse 2 "--constant: '3' is not ID=NUMBER" shader double.comp --constant 3
+refuse 2 "--buffer: '1=4' is not SET:BINDING=VALUE, with a SET of 0 to 7" shader double.spv --run --buffer 1=4
+refuse 2 "--result: '8:1=f32' is not SET:BINDING=VALUE" shader double.spv --run --result 8:1=f32
+refuse 2 "--groups: '1,2,3,4' is not X,Y,Z, each 0 to 65535" shader double.spv --run --groups 1,2,3,4
+refuse 2 "--threads: '0' is not a number of 1 to 64" shader red.frag --run --threads 0
+refuse 2 "shader: expected FILE" shader
+refuse 2 "red.frag: one argument too many" shader red.vert red.vert red.frag
+
+# A loop without end is given up.
+printf 'layout(location = 0) out vec4 c;\nvoid main() { int i = 0; while (i < 1 + int(gl_FragCoord.x)) { i *= 2; } c = vec4(i); }\n' >endless.frag
+refuse 1 "endless.frag: " shader endless.frag --run --size 8 --max-time 0.2 -o a.png
+no_temporary_files
+
+finish

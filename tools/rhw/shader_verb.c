@@ -1,0 +1,434 @@
+// SPDX-License-Identifier: MIT
+// rhw shader: what a shader is, what becomes of it, and what it computes.
+#include "shader_job.h"
+#include "verbs.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+enum {
+    OPTION_OUT = 'o',
+    OPTION_DEFINE = 'D',
+    OPTION_INCLUDE = 'I',
+    OPTION_PRINT = 256,
+    OPTION_AFTER,
+    OPTION_JSON,
+    OPTION_ALL_ERRORS,
+    OPTION_ENTRY,
+    OPTION_CONSTANT,
+    OPTION_RELAXED,
+    OPTION_RUN, // those from here on belong to it
+    OPTION_SIZE,
+    OPTION_TIME,
+    OPTION_MOUSE,
+    OPTION_TEXTURE,
+    OPTION_GROUPS,
+    OPTION_BUFFER,
+    OPTION_PUSH,
+    OPTION_RESULT,
+    OPTION_THREADS
+};
+
+static const struct cli_option options[] = {
+    {"out", OPTION_OUT, "OUT",
+     "write SPIR-V, to a file named .spv; with --run the picture, to one named .png"},
+    {"print", OPTION_PRINT, "WHAT",
+     "print info: stage, resources, inputs and outputs, which is what happens anyway;\n"
+     "spirv: instructions of the module, as spirv-dis writes them;\n"
+     "ir: the form that shaders are translated into, beside the lines of the source;\n"
+     "bytecode: what the interpreter executes"},
+    {"after", OPTION_AFTER, "STEP", "with --print ir, the form behind build or passes; default passes"},
+    {"json", OPTION_JSON, NULL, "print info as JSON"},
+    {"all-errors", OPTION_ALL_ERRORS, NULL, "print every error of the compiler, not the first alone"},
+    {"entry", OPTION_ENTRY, "NAME", "entry point; default main, or the first of a module"},
+    {"define", OPTION_DEFINE, "MACRO", "define a macro of GLSL: NAME, or NAME=VALUE"},
+    {"include", OPTION_INCLUDE, "DIR", "where #include looks, behind the folder of the file"},
+    {"constant", OPTION_CONSTANT, "CONSTANT", "value of a specialization constant: ID=NUMBER"},
+    {"relaxed", OPTION_RELAXED, NULL,
+     "as OpenGL has it: uniforms outside of blocks make one, and what has no binding\nor location gets the "
+     "next; "
+     "--run does so anyway"},
+    {"run", OPTION_RUN, NULL,
+     "draw with a fragment shader on all of a picture, or dispatch a compute shader"},
+    {"size", OPTION_SIZE, "WxH", "pixels of the picture, or N for a square; default 512x512"},
+    {"time", OPTION_TIME, "SECONDS", "what iTime has; default 0"},
+    {"mouse", OPTION_MOUSE, "X,Y", "what iMouse has, in pixels from the top left; default 0,0"},
+    {"texture", OPTION_TEXTURE, "BINDING", "picture of a texture: SET:BINDING=FILE, 0:1=wood.png"},
+    {"groups", OPTION_GROUPS, "X,Y,Z", "workgroups of a compute shader; default 1,1,1"},
+    {"buffer", OPTION_BUFFER, "BINDING",
+     "what a buffer holds at first: SET:BINDING=FILE, =BYTES of zeros,\nor =f32:, =i32: or =u32: and "
+     "numbers: "
+     "0:1=f32:1,2.5"},
+    {"push", OPTION_PUSH, "VALUES", "push constants: a file, or numbers as of --buffer"},
+    {"result", OPTION_RESULT, "BINDING",
+     "what to do with a buffer at the end: SET:BINDING=FILE writes it,\n=f32, =i32 or =u32 prints it; of an "
+     "image, =FILE.png"},
+    {"threads", OPTION_THREADS, "N", "threads that draw, 1 to 64; default: all there are"},
+    {"max-memory", CLI_BUDGET_MEMORY, "SIZE", "fail when it needs more than this; default: no limit"},
+    {"max-time", CLI_BUDGET_TIME, "SECONDS", "fail when it takes longer, 0.1..86400; default 300"},
+};
+
+static const char notes[] =
+    "FILE is GLSL for Vulkan (.vert, .frag, .comp; 4.50 where it has no #version) or SPIR-V (.spv). A vertex "
+    "and a\n"
+    "fragment shader may be given together, and are linked then.\n"
+    "A fragment shader that is run alone may read a vec2 at location 0: 0,0 at the top left, 1,1 at the "
+    "bottom right.\n"
+    "Members of its uniform blocks or push constants with these names, or uniforms outside of blocks, are "
+    "set:\n"
+    "  vec3 iResolution   pixels of the picture, and 1\n"
+    "  float iTime        seconds, as of --time\n"
+    "  vec4 iMouse        pixels, as of --mouse\n"
+    "What no option gives is 0. A vertex shader that is run draws one triangle without attributes.\n"
+    "Textures repeat and are filtered linearly. The picture has the numbers of the first output, clamped to "
+    "0..1.\n\n"
+    "Exit status: 0, 1 when a shader is refused or the work fails, 2 for a wrong command line.";
+
+static const struct cli_verb verb = {
+    .name = "shader",
+    .operands = "FILE...",
+    .summary = "Compiles and checks shaders, tells what they are, shows what becomes of them, and runs them.",
+    .options = options,
+    .option_count = (int)(sizeof options / sizeof *options),
+    .notes = notes,
+};
+
+// Options --------------------------------------------------------------------------------------------
+
+static bool has_room(const char *option, int count)
+{
+    if (count == CLI_SHADER_LIST) {
+        cli_error(option, "is given more than %d times", CLI_SHADER_LIST);
+    }
+    return count < CLI_SHADER_LIST;
+}
+
+// NAME=VALUE is cut in place: arguments of the command line may be changed.
+static bool parse_define(struct cli_shader_job *job, char *argument)
+{
+    if (!has_room("--define", job->macro_count)) {
+        return false;
+    }
+    char *const equals = strchr(argument, '=');
+    if (equals) {
+        *equals = 0;
+    }
+    job->macros[job->macro_count++] = (struct glsl_macro){argument, equals ? equals + 1 : NULL};
+    return true;
+}
+
+static bool parse_constant(struct cli_shader_job *job, const char *argument)
+{
+    char text[32];
+    const char *const equals = strchr(argument, '=');
+    int id, count;
+    double number = 0;
+    if (!has_room("--constant", job->constant_count)) {
+        return false;
+    }
+    const size_t length = equals ? (size_t)(equals - argument) : sizeof text;
+    if (length < sizeof text) {
+        memcpy(text, argument, length);
+        text[length] = 0;
+    }
+    const bool is_truth = equals && (strcmp(equals + 1, "true") == 0 || strcmp(equals + 1, "false") == 0);
+    number = is_truth && equals[1] == 't' ? 1 : 0;
+    if (length >= sizeof text || !cli_parse_int(text, 0, INT32_MAX, &id) ||
+        (!is_truth && !cli_parse_numbers(equals + 1, 1, 1, &number, &count))) {
+        cli_error("--constant", "'%s' is not ID=NUMBER, as in 7=0.5", argument);
+        return false;
+    }
+    job->constants[job->constant_count++] =
+        (struct cli_shader_constant){.argument = argument, .id = (uint32_t)id, .number = number};
+    return true;
+}
+
+static bool parse_binding(struct cli_shader_bindings *bindings, const char *option, const char *argument)
+{
+    if (!has_room(option, bindings->count)) {
+        return false;
+    }
+    unsigned set, binding;
+    int length = 0;
+    if (sscanf(argument, "%3u:%9u=%n", &set, &binding, &length) != 2 || length == 0 ||
+        argument[length] == 0 || set >= RHW_SHADER_MAX_SETS) {
+        cli_error(option, "'%s' is not SET:BINDING=VALUE, with a SET of 0 to %d, as in 0:1=%s", argument,
+                  RHW_SHADER_MAX_SETS - 1, strcmp(option, "--result") == 0 ? "f32" : "FILE");
+        return false;
+    }
+    bindings->list[bindings->count++] = (struct cli_shader_binding){
+        .option = option, .argument = argument, .set = set, .binding = binding, .value = argument + length};
+    return true;
+}
+
+static bool parse_groups(int groups[3], const char *argument)
+{
+    double numbers[3];
+    int count;
+    bool is_right = cli_parse_numbers(argument, 1, 3, numbers, &count);
+    for (int i = 0; is_right && i < 3; i++) {
+        const double number = i < count ? numbers[i] : 1;
+        is_right = number >= 0 && number <= RHW_MAX_WORKGROUP_COUNT && number == floor(number);
+        groups[i] = is_right ? (int)number : 0;
+    }
+    if (!is_right) {
+        cli_error("--groups", "'%s' is not X,Y,Z, each 0 to %d", argument, RHW_MAX_WORKGROUP_COUNT);
+    }
+    return is_right;
+}
+
+static bool parse_run_option(struct cli_shader_job *job, int id, const char *argument)
+{
+    int count;
+    switch (id) {
+    case OPTION_SIZE:
+        if (cli_parse_size(argument, &job->width, &job->height)) {
+            return true;
+        }
+        cli_error("--size", "'%s' is not WxH or one number, each 1..%d", argument, RHW_MAX_TARGET_SIZE);
+        return false;
+    case OPTION_TIME:
+        if (cli_parse_numbers(argument, 1, 1, &job->time, &count)) {
+            return true;
+        }
+        cli_error("--time", "'%s' is not a number of seconds", argument);
+        return false;
+    case OPTION_MOUSE:
+        if (cli_parse_numbers(argument, 2, 2, job->mouse, &count)) {
+            return true;
+        }
+        cli_error("--mouse", "'%s' is not X,Y", argument);
+        return false;
+    case OPTION_TEXTURE: return parse_binding(&job->textures, "--texture", argument);
+    case OPTION_GROUPS: return parse_groups(job->groups, argument);
+    case OPTION_BUFFER: return parse_binding(&job->buffers, "--buffer", argument);
+    case OPTION_PUSH: job->push = argument; return true;
+    case OPTION_RESULT: return parse_binding(&job->results, "--result", argument);
+    case OPTION_THREADS:
+        if (cli_parse_int(argument, 1, 64, &job->threads)) {
+            return true;
+        }
+        cli_error("--threads", "'%s' is not a number of 1 to 64", argument);
+        return false;
+    default: job->runs = true; return true;
+    }
+}
+
+static bool parse_option(struct cli_shader_job *job, int id, char *argument)
+{
+    static const char *const prints[] = {"info", "spirv", "ir", "bytecode"}, *const steps[] = {"build",
+                                                                                               "passes"};
+    int choice;
+    switch (id) {
+    case OPTION_OUT: job->out = argument; return true;
+    case OPTION_PRINT:
+        choice = cli_choose("--print", argument, prints, 4);
+        job->print = (enum cli_shader_print)choice;
+        return choice >= 0;
+    case OPTION_AFTER:
+        choice = cli_choose("--after", argument, steps, 2);
+        job->is_before_passes = choice == 0;
+        job->has_step = true;
+        return choice >= 0;
+    case OPTION_JSON: job->json = true; return true;
+    case OPTION_ALL_ERRORS: job->all_errors = true; return true;
+    case OPTION_RELAXED: job->is_relaxed = true; return true;
+    case OPTION_ENTRY: job->entry_point = argument; return true;
+    case OPTION_DEFINE: return parse_define(job, argument);
+    case OPTION_INCLUDE:
+        if (!has_room("--include", job->folder_count)) {
+            return false;
+        }
+        job->folders[job->folder_count++] = argument;
+        return true;
+    case OPTION_CONSTANT: return parse_constant(job, argument);
+    case CLI_BUDGET_MEMORY:
+    case CLI_BUDGET_TIME: return cli_parse_budget(&job->budget, id, argument);
+    default: return parse_run_option(job, id, argument);
+    }
+}
+
+static bool has_ending(const char *path, const char *ending)
+{
+    const size_t length = strlen(path), own = strlen(ending);
+    return length > own && strcasecmp(path + length - own, ending) == 0;
+}
+
+// Report options that do not go together.
+static bool check_options(const struct cli_shader_job *job, int files, const char *run_option)
+{
+    if (job->out && !job->runs && !has_ending(job->out, ".spv")) {
+        cli_error(job->out, "SPIR-V is named .spv; a picture, .png, is drawn with --run");
+    } else if (job->out && job->runs && !has_ending(job->out, ".png")) {
+        cli_error(job->out, "a picture of --run is named .png");
+    } else if (job->out && !job->runs && files > 1) {
+        cli_error(job->out, "takes one FILE");
+    } else if (job->json && job->print > CLI_SHADER_INFO) {
+        cli_error("--json", "goes with --print info alone");
+    } else if (job->has_step && job->print != CLI_SHADER_FORM) {
+        cli_error("--after", "goes with --print ir alone");
+    } else if (run_option && !job->runs) {
+        char name[32];
+        snprintf(name, sizeof name, "--%s", run_option);
+        cli_error(name, "goes with --run alone");
+    } else if (job->runs && (job->json || job->print != CLI_SHADER_NOTHING)) {
+        cli_error("--run", "prints results alone; --print and --json do without it");
+    } else {
+        return true;
+    }
+    return false;
+}
+
+// Work -----------------------------------------------------------------------------------------------
+
+static void write_text(void *user, const char *text, size_t size)
+{
+    (void)user;
+    fwrite(text, 1, size, stdout);
+}
+
+static bool print_shader(const struct cli_shader_file *file, const struct cli_shader_job *job)
+{
+    char message[RHW_SHADER_MESSAGE];
+    const struct rhw_shader_def def = cli_shader_file_def(file);
+    if (job->print == CLI_SHADER_INFO) {
+        cli_shader_print_table(file);
+        return true;
+    }
+    if (job->print == CLI_SHADER_SPIRV) {
+        char *const text = glsl_disassemble(file->words, file->size, message, sizeof message);
+        if (!text) {
+            cli_error(file->path, "%s", message);
+            return false;
+        }
+        fputs(text, stdout);
+        free(text);
+        return true;
+    }
+    const enum rhw_shader_stop stop = job->print == CLI_SHADER_BYTECODE ? RHW_SHADER_ASSEMBLED
+                                      : job->is_before_passes           ? RHW_SHADER_BUILT
+                                                                        : RHW_SHADER_PASSED;
+    if (rhw_shader_print(file->words, file->size, &def, stop, write_text, NULL, message) != RHW_OK) {
+        cli_error(file->path, "%s", message);
+        return false;
+    }
+    return true;
+}
+
+static bool write_words(const struct cli_shader_file *file, const char *path)
+{
+    struct cli_output_file out;
+    if (!cli_output_file_open(&out, path)) {
+        return false;
+    }
+    fwrite(file->words, 1, file->size, out.stream);
+    const bool written = cli_output_file_finish(&out) && cli_output_file_commit(&out);
+    if (!written) {
+        cli_output_file_discard(&out);
+    }
+    return written;
+}
+
+// Link what was given. *linked stays NULL for a fragment shader alone, which is no program.
+static bool link_shaders(const struct cli_shader_file *files, int count, rhw_shader_program **linked)
+{
+    struct rhw_shader_program_def def = {0};
+    *linked = NULL;
+    for (int i = 0; i < count; i++) {
+        const rhw_shader **const stages[] = {&def.vertex, &def.fragment, &def.compute};
+        if (*stages[files[i].stage]) {
+            cli_error(files[i].path, "is a %s shader, and another is one, too",
+                      cli_shader_stage_names[files[i].stage]);
+            return false;
+        }
+        *stages[files[i].stage] = files[i].shader;
+    }
+    if (count > 1 && def.compute) {
+        cli_error(files[def.fragment || def.vertex ? 0 : 1].path, "a compute shader goes alone");
+        return false;
+    }
+    char message[RHW_SHADER_MESSAGE];
+    if ((def.compute || def.vertex) && rhw_shader_program_create(&def, linked, message) != RHW_OK) {
+        cli_error(files[count - 1].path, "%s", message);
+        return false;
+    }
+    return true;
+}
+
+static bool check_constants(const struct cli_shader_job *job, const char *path)
+{
+    for (int i = 0; i < job->constant_count; i++) {
+        if (!job->constants[i].is_used) {
+            cli_error("--constant", "'%s': %s has no constant %u", job->constants[i].argument, path,
+                      (unsigned)job->constants[i].id);
+            return false;
+        }
+    }
+    return true;
+}
+
+static bool work(struct cli_shader_job *job, struct cli_shader_file *files, int count)
+{
+    rhw_shader_program *program = NULL;
+    bool done = check_constants(job, files[0].path) && link_shaders(files, count, &program);
+    if (done && job->runs) {
+        done = cli_shader_run(job, files, count, program);
+    } else if (done && job->out) {
+        done = write_words(&files[0], job->out);
+    }
+    if (done && !job->runs && job->json) {
+        cli_shader_print_json(files, count);
+    } else if (done && !job->runs && (job->print != CLI_SHADER_NOTHING || !job->out)) {
+        job->print = job->print == CLI_SHADER_NOTHING ? CLI_SHADER_INFO : job->print;
+        for (int i = 0; i < count && done; i++) {
+            done = print_shader(&files[i], job);
+        }
+    }
+    rhw_shader_program_destroy(program);
+    return done;
+}
+
+int cli_shader(int argc, char **argv)
+{
+    static struct cli_shader_job job = {
+        .print = CLI_SHADER_NOTHING, .groups = {1, 1, 1}, .budget = {.seconds = 300.0}};
+    struct cli_shader_file files[CLI_SHADER_FILES] = {0};
+    struct cli_parser parser;
+    const char *run_option = NULL;
+    cli_parser_start(&parser, &verb, argc, argv);
+    int id;
+    while ((id = cli_parser_next(&parser)) > 0) {
+        for (size_t i = 0; id > OPTION_RUN && id <= OPTION_THREADS && i < sizeof options / sizeof *options;
+             i++) {
+            run_option = options[i].id == id ? options[i].name : run_option;
+        }
+        if (!parse_option(&job, id, (char *)parser.argument)) {
+            return CLI_USAGE;
+        }
+    }
+    if (id == CLI_OPTION_STOP) {
+        return parser.status;
+    }
+    if (!cli_parser_operands(&parser, 1, CLI_SHADER_FILES) ||
+        !check_options(&job, parser.operand_count, run_option)) {
+        return CLI_USAGE;
+    }
+    if (job.out && !cli_output_file_check(job.out)) {
+        return CLI_FAILED;
+    }
+    cli_budget_apply(&job.budget, parser.operands[0]);
+    bool done = true;
+    int count = 0;
+    while (done && count < parser.operand_count) {
+        done = cli_shader_file_open(&files[count], parser.operands[count], &job);
+        count++;
+    }
+    const bool is_usage = done && job.runs && !cli_shader_check_run(&job, files, count);
+    done = done && !is_usage && work(&job, files, count);
+    for (int i = 0; i < count; i++) {
+        cli_shader_file_close(&files[i]);
+    }
+    return is_usage ? CLI_USAGE : done ? CLI_OK : CLI_FAILED;
+}
