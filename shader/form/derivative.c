@@ -190,8 +190,7 @@ static void put_derivative(struct direction *direction, uint32_t value, uint32_t
         return;
     }
     const uint32_t difference = add(direction, SHADER_FSUB, 0, there(direction, operand, nodes), operand);
-    program->nodes[value] =
-        (struct shader_node){
+    program->nodes[value] = (struct shader_node){
         .op = SHADER_FMUL, .flags = SHADER_PER_QUAD, .operands = {difference, direction->step, 0}};
     put(direction, value);
 }

@@ -50,8 +50,7 @@ static struct shader_block *add_block(struct shader_memory *memory, size_t least
     if (size > memory->left) {
         end_at_bound(memory);
     }
-    struct shader_block *const block =
-        malloc((sizeof *block + size + ALIGNMENT - 1) / ALIGNMENT * ALIGNMENT);
+    struct shader_block *const block = malloc((sizeof *block + size + ALIGNMENT - 1) / ALIGNMENT * ALIGNMENT);
     if (!block) {
         memory->is_short = true;
         shader_memory_end(memory);

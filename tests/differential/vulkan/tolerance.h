@@ -18,7 +18,8 @@ enum difference {
 };
 
 /// Return why word `word` of the results of function `which` differs.
-enum difference explain_difference(int which, int word, const float operands[3], uint32_t here, uint32_t there);
+enum difference explain_difference(int which, int word, const float operands[3], uint32_t here,
+                                   uint32_t there);
 /// Return the name of a function, or NULL where the number names none.
 const char *function_name(int which);
 

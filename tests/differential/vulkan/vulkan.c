@@ -14,7 +14,7 @@
 
 enum { ROWS = 2048, FUNCTIONS = 79, SKIPPED = 77 };
 
-static const char *const reasons[DIFFERENCE_COUNT] = {"equal",     "precision", "sign of zero",
+static const char *const reasons[DIFFERENCE_COUNT] = {"equal",    "precision", "sign of zero",
                                                       "denormal", "undefined", "UNEXPLAINED"};
 
 // Numbers where something may go wrong, and between them numbers of ordinary size.

@@ -158,7 +158,8 @@ static bool make_pipeline(struct vulkan_peer *peer, const struct peer_dispatch *
     }
     for (uint32_t c = 0; c < dispatch->constant_count; c++) {
         values[c] = dispatch->constants[c].value;
-        entries[c] = (VkSpecializationMapEntry){dispatch->constants[c].id, c * sizeof *values, sizeof *values};
+        entries[c] =
+            (VkSpecializationMapEntry){dispatch->constants[c].id, c * sizeof *values, sizeof *values};
     }
     const VkShaderModuleCreateInfo module = {.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO,
                                              .codeSize = dispatch->size,

@@ -44,10 +44,12 @@ static void run(struct rig *rig, const struct rhw_shader_constant *constants, ui
 void function_rig_run(int which, const float (*operands)[4], int count, bool is_given, uint32_t (*results)[4])
 {
     struct rhw_binding bindings[2];
-    struct rhw_shader_constant constants[] = {{0, (uint32_t)which}, {1, is_given ? 1 : 0}, {2, 0}, {3, 0}, {4, 0}};
+    struct rhw_shader_constant constants[] = {
+        {0, (uint32_t)which}, {1, is_given ? 1 : 0}, {2, 0}, {3, 0}, {4, 0}};
     struct rig rig;
     rig_open(&rig, 4, 4);
-    assert_true(rhw_binding_of_memory((void *)operands, (size_t)count * sizeof *operands, true, &bindings[0]));
+    assert_true(
+        rhw_binding_of_memory((void *)operands, (size_t)count * sizeof *operands, true, &bindings[0]));
     if (!is_given) {
         assert_true(rhw_binding_of_memory(results, (size_t)count * sizeof *results, false, &bindings[1]));
         run(&rig, constants, 2, bindings, ((uint32_t)count + GROUP - 1) / GROUP);

@@ -8,6 +8,7 @@
 
 /// Compute function `which` of `count` rows of 4 operands, which may be floats or their bits. Four words of results come
 /// of each. If `is_given`, the operands of each row are constants of a translation of its own.
-void function_rig_run(int which, const float (*operands)[4], int count, bool is_given, uint32_t (*results)[4]);
+void function_rig_run(int which, const float (*operands)[4], int count, bool is_given,
+                      uint32_t (*results)[4]);
 
 #endif

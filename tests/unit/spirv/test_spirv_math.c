@@ -19,24 +19,15 @@ struct function {
 
 // By number, as in functions.comp.
 static const struct function functions[] = {
-    {"sin", mpfr_sin, -3.2f, 3.2f},
-    {"cos", mpfr_cos, -3.2f, 3.2f},
-    {"tan", mpfr_tan, -1.5f, 1.5f},
-    {"asin", mpfr_asin, -1, 1},
-    {"acos", mpfr_acos, -1, 1},
-    {"atan", mpfr_atan, -50, 50},
-    {"sinh", mpfr_sinh, -20, 20},
-    {"cosh", mpfr_cosh, -20, 20},
-    {"tanh", mpfr_tanh, -8, 8},
-    {"asinh", mpfr_asinh, -1000, 1000},
-    {"acosh", mpfr_acosh, 1, 1000},
-    {"atanh", mpfr_atanh, -0.999f, 0.999f},
-    {"exp", mpfr_exp, -80, 80},
-    {"log", mpfr_log, 1e-30f, 100},
-    {"exp2", mpfr_exp2, -120, 120},
-    {"log2", mpfr_log2, 1e-30f, 100},
-    {"sqrt", mpfr_sqrt, 0, 1000},
-    {"inversesqrt", mpfr_rec_sqrt, 1e-3f, 1000},
+    {"sin", mpfr_sin, -3.2f, 3.2f}, {"cos", mpfr_cos, -3.2f, 3.2f},
+    {"tan", mpfr_tan, -1.5f, 1.5f}, {"asin", mpfr_asin, -1, 1},
+    {"acos", mpfr_acos, -1, 1},     {"atan", mpfr_atan, -50, 50},
+    {"sinh", mpfr_sinh, -20, 20},   {"cosh", mpfr_cosh, -20, 20},
+    {"tanh", mpfr_tanh, -8, 8},     {"asinh", mpfr_asinh, -1000, 1000},
+    {"acosh", mpfr_acosh, 1, 1000}, {"atanh", mpfr_atanh, -0.999f, 0.999f},
+    {"exp", mpfr_exp, -80, 80},     {"log", mpfr_log, 1e-30f, 100},
+    {"exp2", mpfr_exp2, -120, 120}, {"log2", mpfr_log2, 1e-30f, 100},
+    {"sqrt", mpfr_sqrt, 0, 1000},   {"inversesqrt", mpfr_rec_sqrt, 1e-3f, 1000},
 };
 
 static void expect_near(const char *name, const float operands[4], uint32_t bits, const mpfr_t want)

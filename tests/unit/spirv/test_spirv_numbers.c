@@ -109,9 +109,7 @@ static bool plain(int which, float x, float y, float z, uint32_t r[4])
         return true;
     case 37: r[0] = as_bits(x - y * floorf(x / y)); return true;
     case 38: r[0] = as_bits(z > 0.5f ? y : x); return true;
-    case 39:
-        r[0] = isnan(x) ? 1u : 0u, r[1] = isinf(x) ? 1u : 0u, r[2] = x == y, r[3] = x != y;
-        return true;
+    case 39: r[0] = isnan(x) ? 1u : 0u, r[1] = isinf(x) ? 1u : 0u, r[2] = x == y, r[3] = x != y; return true;
     case 40: r[0] = as_bits(x * 0.017453292519943295f); return true;
     case 41: r[0] = as_bits(x * 57.29577951308232f); return true;
     case 42: r[0] = as_bits(number_or(x, y, least(x, y))); return true;
@@ -121,9 +119,7 @@ static bool plain(int which, float x, float y, float z, uint32_t r[4])
         r[0] = as_bits(number_or(above, z, least(above, z)));
         return true;
     }
-    case 45:
-        r[0] = x < y, r[1] = x <= y, r[2] = x > y, r[3] = x >= y;
-        return true;
+    case 45: r[0] = x<y, r[1] = x <= y, r[2] = x> y, r[3] = x >= y; return true;
     case 46:
         r[0] = (uint32_t)whole(x), r[1] = positive(x);
         r[2] = as_bits((float)(int32_t)as_bits(x)), r[3] = as_bits((float)as_bits(x));
@@ -201,7 +197,8 @@ static bool vectors(int which, const float v[3], uint32_t r[4])
         }
         return true;
     case 62:
-        put(r, (float[]){nearest_half(v[0]), nearest_half(v[1]), half_of(b[2] & 0xffff), half_of(b[2] >> 16)}, 4);
+        put(r, (float[]){nearest_half(v[0]), nearest_half(v[1]), half_of(b[2] & 0xffff), half_of(b[2] >> 16)},
+            4);
         return true;
     default: return false;
     }
@@ -252,16 +249,12 @@ static bool whole_numbers(int which, int32_t x, int32_t y, int32_t z, uint32_t r
     case 75:
         r[0] = a << (b & 31), r[1] = (uint32_t)(x >> (b & 31)), r[2] = a >> (b & 31), r[3] = a ^ ~b;
         return true;
-    case 76:
-        r[0] = a + b, r[1] = a + b < a, r[2] = a - b, r[3] = a < b;
-        return true;
+    case 76: r[0] = a + b, r[1] = a + b < a, r[2] = a - b, r[3] = a < b; return true;
     case 77:
         r[0] = (uint32_t)((uint64_t)((int64_t)x * y) >> 32), r[1] = r[3] = a * b;
         r[2] = (uint32_t)((uint64_t)a * b >> 32);
         return true;
-    case 78:
-        r[0] = x < y, r[1] = a < b, r[2] = x >= y, r[3] = a >= b;
-        return true;
+    case 78: r[0] = x < y, r[1] = a < b, r[2] = x >= y, r[3] = a >= b; return true;
     default: return false;
     }
 }
@@ -288,7 +281,8 @@ enum { NUMBERS = sizeof numbers / sizeof *numbers, ROWS = NUMBERS * NUMBERS };
 static void fill(float operands[ROWS][4])
 {
     for (int i = 0; i < ROWS; i++) {
-        const uint32_t bits[4] = {numbers[i % NUMBERS], numbers[i / NUMBERS], numbers[(i * 7 + i / NUMBERS) % NUMBERS], 0};
+        const uint32_t bits[4] = {numbers[i % NUMBERS], numbers[i / NUMBERS],
+                                  numbers[(i * 7 + i / NUMBERS) % NUMBERS], 0};
         memcpy(operands[i], bits, sizeof bits);
     }
 }
