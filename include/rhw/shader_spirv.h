@@ -277,6 +277,16 @@ static inline void rhw_spirv_size(const struct rhw_binding *binding, const rhw_i
     }
 }
 
+/// Set the first 3 components of `texel` to the bits of rhw_binding_image_size.
+static inline void rhw_spirv_image_size(const struct rhw_binding *binding, rhw_float texel[4])
+{
+    rhw_int size[3] = {rhw_splat_int(0), rhw_splat_int(0), rhw_splat_int(0)};
+    rhw_binding_image_size(binding, size);
+    for (int i = 0; i < 3; i++) {
+        texel[i] = rhw_float_from_bits(size[i]);
+    }
+}
+
 /// Take what was sampled for some lanes.
 static inline void rhw_spirv_take(rhw_int lanes, const rhw_float texel[4], rhw_float texels[4])
 {

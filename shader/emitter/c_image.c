@@ -139,6 +139,7 @@ static void write_call(struct shader_emitter *emitter, const struct request *req
         shader_text_line(out, "rhw_binding_image_load(%s, at%u, %s);", binding, value, texel);
         return;
     case SHADER_DO_SIZE: shader_text_line(out, "rhw_spirv_size(%s, %s, %s);", binding, lod, texel); return;
+    case SHADER_DO_IMAGE_SIZE: shader_text_line(out, "rhw_spirv_image_size(%s, %s);", binding, texel); return;
     case SHADER_DO_LEVELS:
         shader_text_line(out, "%s[0] = rhw_spirv_count(rhw_binding_sample_levels(%s));", texel, binding);
         return;
