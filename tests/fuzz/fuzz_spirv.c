@@ -202,7 +202,7 @@ static void run(struct fuzz *fuzz, const rhw_shader *shader, enum rhw_shader_sta
     fuzz->linked++;
     if (bind(fuzz, program, shader, &frame)) {
         fuzz->ran++;
-        give_up_at = seconds() + 0.2;
+        give_up_at = seconds() + 0.02;
         if (is_compute) {
             dispatch(fuzz, program, &frame);
         } else {
