@@ -125,6 +125,10 @@ struct rhw_shader_resource {
     const char *name; ///< name in the module, or "" if the module has none; lives as long as the shader
     uint32_t size; ///< bytes of a buffer up to its last member, or of the part before a member without length
     bool is_read_only; ///< no code of the shader writes to it
+    // Members that an image of any kind has
+    enum rhw_texture_kind texture_kind;
+    bool is_array, is_multisampled;
+    bool is_integer; ///< its texels are whole numbers
     /// Struct of a buffer, NULL of what is none. It lives as long as the shader.
     const struct rhw_shader_type *type;
 };
