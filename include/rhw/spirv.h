@@ -9,7 +9,8 @@
 //
 // A module that breaks a rule of SPIR-V which the translation relies on, or that asks for what is not supported, is
 // refused with a message that names the instruction and its word. Accesses outside of buffers and images are harmless:
-// reads give 0, and writes do nothing.
+// reads give 0, and writes do nothing. Loops ask the program whether it gives the work up (rhw_context_set_goes_on). If
+// it has set nothing there, a draw or a dispatch with a loop that never ends does not return.
 #ifndef RHW_SPIRV_H
 #define RHW_SPIRV_H
 
