@@ -156,7 +156,7 @@ refuse 2 "--run: of a compute shader needs --result" shader double.spv --run
 refuse 2 "--run: of a fragment shader needs -o" shader red.spv --run
 refuse 2 "red.vert: a vertex shader runs with a fragment shader beside it" shader red.vert --run -o a.png
 refuse 2 "a.png: a compute shader has no picture" shader double.spv --run --result 0:2=f32 -o a.png
-refuse 2 "a.png: SPIR-V is named .spv; a picture, .png, is drawn with --run" shader red.frag -o a.png
+refuse 2 "a.png: SPIR-V is named .spv, and C .c; a picture, .png, is drawn with --run" shader red.frag -o a.png
 refuse 2 "a.spv: a picture of --run is named .png" shader red.frag --run -o a.spv
 refuse 2 "a.spv: takes one FILE" shader red.vert red.frag -o a.spv
 refuse 2 "--print: 'glsl' is not info, spirv, ir or bytecode" shader red.frag --print glsl

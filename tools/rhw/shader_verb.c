@@ -33,7 +33,8 @@ enum {
 
 static const struct cli_option options[] = {
     {"out", OPTION_OUT, "OUT",
-     "write SPIR-V, to a file named .spv; with --run the picture, to one named .png"},
+     "write SPIR-V, to a file named .spv; or C for rhw_add_shaders, to one named .c, which\n"
+     "begins all names that it defines; with --run the picture, to one named .png"},
     {"print", OPTION_PRINT, "WHAT",
      "print info: stage, resources, inputs and outputs, which is what happens anyway;\n"
      "spirv: instructions of the module, as spirv-dis writes them;\n"
@@ -259,11 +260,12 @@ static bool has_ending(const char *path, const char *ending)
 // Report options that do not go together.
 static bool check_options(const struct cli_shader_job *job, int files, const char *run_option)
 {
-    if (job->out && !job->runs && !has_ending(job->out, ".spv")) {
-        cli_error(job->out, "SPIR-V is named .spv; a picture, .png, is drawn with --run");
+    const bool is_c = job->out && has_ending(job->out, ".c");
+    if (job->out && !job->runs && !is_c && !has_ending(job->out, ".spv")) {
+        cli_error(job->out, "SPIR-V is named .spv, and C .c; a picture, .png, is drawn with --run");
     } else if (job->out && job->runs && !has_ending(job->out, ".png")) {
         cli_error(job->out, "a picture of --run is named .png");
-    } else if (job->out && !job->runs && files > 1) {
+    } else if (job->out && !job->runs && !is_c && files > 1) {
         cli_error(job->out, "takes one FILE");
     } else if (job->json && job->print > CLI_SHADER_INFO) {
         cli_error("--json", "goes with --print info alone");
@@ -317,17 +319,50 @@ static bool print_shader(const struct cli_shader_file *file, const struct cli_sh
     return true;
 }
 
-static bool write_words(const struct cli_shader_file *file, const char *path)
+static bool write_bytes(const void *bytes, size_t size, const char *path)
 {
     struct cli_output_file out;
     if (!cli_output_file_open(&out, path)) {
         return false;
     }
-    fwrite(file->words, 1, file->size, out.stream);
+    fwrite(bytes, 1, size, out.stream);
     const bool written = cli_output_file_finish(&out) && cli_output_file_commit(&out);
     if (!written) {
         cli_output_file_discard(&out);
     }
+    return written;
+}
+
+// Return the part behind the last slash.
+static const char *name_in_folder(const char *path)
+{
+    const char *name = path;
+    for (const char *c = path; *c != '\0'; c++) {
+        name = *c == '/' || *c == '\\' ? c + 1 : name;
+    }
+    return name;
+}
+
+// Write a program as C. It is called as the file is.
+static bool write_c(const struct cli_shader_file *files, int count, const rhw_shader_program *program,
+                    const char *path)
+{
+    char name[256], source[512], message[RHW_SHADER_MESSAGE], *text;
+    if (!program) {
+        cli_error(files[0].path, "is no program; C is written of a vertex shader with it");
+        return false;
+    }
+    snprintf(name, sizeof name, "%s", name_in_folder(path));
+    name[strlen(name) - strlen(".c")] = '\0';
+    snprintf(source, sizeof source, "%s%s%s", name_in_folder(files[0].path), count > 1 ? " and " : "",
+             count > 1 ? name_in_folder(files[1].path) : "");
+    const struct rhw_shader_c_def def = {.name = name, .source = source};
+    if (rhw_shader_program_emit_c(program, &def, &text, message) != RHW_OK) {
+        cli_error(path, "%s", message);
+        return false;
+    }
+    const bool written = write_bytes(text, strlen(text), path);
+    rhw_shader_free_text(text);
     return written;
 }
 
@@ -376,7 +411,8 @@ static bool work(struct cli_shader_job *job, struct cli_shader_file *files, int 
     if (done && job->runs) {
         done = cli_shader_run(job, files, count, program);
     } else if (done && job->out) {
-        done = write_words(&files[0], job->out);
+        done = has_ending(job->out, ".c") ? write_c(files, count, program, job->out)
+                                          : write_bytes(files[0].words, files[0].size, job->out);
     }
     if (done && !job->runs && job->json) {
         cli_shader_print_json(files, count);
