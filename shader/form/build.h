@@ -103,7 +103,6 @@ struct shader_builder {
     uint32_t word;   // instruction that is being translated
     struct shader_frame *frame;
     struct shader_construct *constructs;
-    uint32_t *constant_buckets; // hash table of the program's constants
     uint32_t *output_homes;     // by enum shader_output, or SHADER_NO_VALUE
 };
 

@@ -85,7 +85,7 @@ void shader_forward_copies(struct shader_program *program)
     struct copies copies = {.place = shader_take(memory, program->node_count, sizeof(uint32_t)),
                             .last_read = shader_take(memory, program->node_count, sizeof(uint32_t))};
     uint32_t *const stands_for = shader_take(memory, program->node_count, sizeof *stands_for);
-    shader_find_uses(program, &copies.uses);
+    shader_find_sets(program, &copies.uses);
     find_readers(program, &copies);
     for (uint32_t i = 0; i < program->code_count; i++) {
         const uint32_t value = program->code[i];

@@ -94,6 +94,8 @@ static shader_kernel *const kernels[SHADER_COUNT_OPS] = {
     ENTRY(END_REGION),
     ENTRY(END_LOOP),
     ENTRY(LEAVE),
+    ENTRY(JUMP_UNLESS),
+    ENTRY(JUMP),
     [SHADER_LOOP] = run_REGION,
     [SHADER_FILL] = run_FILL,
     ENTRY(BUFFER),

@@ -197,11 +197,12 @@ complete -c rhw -n "$seen" -s h -l help -d 'print this and exit'
 
 set -l seen '__rhw_verb shader'
 complete -c rhw -n '__rhw_file shader' -F
-complete -c rhw -n "$seen" -s o -l out -r -F -d 'write SPIR-V, to a file named .spv'
+complete -c rhw -n "$seen" -s o -l out -r -F -d 'write SPIR-V, to a file named .spv, or the program as C for rhw_add_shaders, to one named .c'
 complete -c rhw -n "$seen" -l print -x -a 'info spirv ir bytecode' -d 'print info'
 complete -c rhw -n "$seen" -l after -x -a 'build passes' -d 'with --print ir, the form behind build or passes'
 complete -c rhw -n "$seen" -l json -d 'print info as JSON'
 complete -c rhw -n "$seen" -l all-errors -d 'print every error of the compiler, not the first alone'
+complete -c rhw -n "$seen" -l strict -d 'fail where the compiler warns'
 complete -c rhw -n "$seen" -l entry -x -d 'entry point'
 complete -c rhw -n "$seen" -s D -l define -x -d 'define a macro of GLSL'
 complete -c rhw -n "$seen" -s I -l include -r -F -d 'where #include looks, behind the folder of the file'
