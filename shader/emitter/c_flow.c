@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Structure, and which lanes are active. The mask at a place has a name of its own, m1, m2, …, so that it needs nothing to
-// come back to an outer one. `alive` has the lanes that have not left: what is active behind structure that loses lanes is
-// what came in and is alive. Structure whose lanes all go one way is that of C.
+// Structure, and which lanes are active. The mask at a place has a name of its own, m1, m2, …, so that it needs
+// nothing to come back to an outer one. `alive` has the lanes that have not left: what is active behind structure that
+// loses lanes is what came in and is alive. Structure whose lanes all go one way is that of C.
 //
 // Masks of wide structure are arrays, lanes1, lanes2, …, with an element for each group, and alive is alive_in[].
 #include "c_emit.h"

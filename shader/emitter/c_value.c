@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Values as expressions. A value that is read once, in the same block, stands where it is read, unless the line would be
-// long.
+// Values as expressions. A value that is read once, in the same block, stands where it is read, unless the line would
+// be long.
 #include "c_emit.h"
 
 #include <math.h>
@@ -9,7 +9,8 @@
 
 enum { LONGEST = 64 };
 
-// How an operation is written: an operator or a function, whether it gives a float, and whether its operands are floats.
+// How an operation is written: an operator or a function, whether it gives a float, and whether its operands are
+// floats.
 struct notation {
     const char *text;
     bool gives_float, takes_float[2];
@@ -227,7 +228,7 @@ static const char *expression_of(struct shader_emitter *emitter, uint32_t value)
                              shader_c_argument(emitter, operands[0], notation->takes_float[0]),
                              shader_c_argument(emitter, operands[1], notation->takes_float[1]));
     }
-    // Of two numbers one is written as lanes.
+    // One of two numbers is written as lanes.
     uint32_t bits;
     const bool are_numbers =
         shader_c_is_number(emitter, operands[0], &bits) && shader_c_is_number(emitter, operands[1], &bits);

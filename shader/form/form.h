@@ -163,8 +163,8 @@ enum shader_image_operation {
     SHADER_DO_LEVELS,
     SHADER_DO_SAMPLES,
     SHADER_DO_QUERY_LOD,
-    SHADER_DO_LOAD,      // of a storage image or texel buffer
-    SHADER_DO_IMAGE_SIZE // of a storage image or texel buffer
+    SHADER_DO_LOAD,      // a texel of a storage image or texel buffer
+    SHADER_DO_IMAGE_SIZE // size of a storage image or texel buffer
 };
 
 // Fields of the immediate: the operation, spatial coordinates, the channel that is gathered, and which operands there

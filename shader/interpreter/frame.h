@@ -17,7 +17,7 @@ struct frame {
     const struct shader_bytecode *bytecode;
     const struct rhw_shader_frame *bound;
     const struct rhw_bindings *bindings; // tells whether the program gives the work up
-    uint32_t rounds;                     // of loops
+    uint32_t rounds;                     // rounds of loops until now
     bool is_given_up;
     int groups;
     struct rhw_vertex *vertices;               // groups of the batch, or NULL

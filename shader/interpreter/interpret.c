@@ -185,7 +185,7 @@ void RHW_ISA_NAME(shader_interpret_fragments)(struct rhw_fragment *groups, int c
     }
 }
 
-void RHW_ISA_NAME(shader_interpret_workgroup)(const struct rhw_workgroup *workgroup)
+void RHW_ISA_NAME(shader_interpret_workgroup)(struct rhw_workgroup *workgroup)
 {
     union vector registers[SHADER_REGISTER_VECTORS];
     rhw_float texels[RHW_MAX_WORKGROUP_GROUPS][4];

@@ -69,6 +69,8 @@ complete -c rhw -n "$seen" -l environment-rotation -x -d 'turn it about what is 
 complete -c rhw -n "$seen" -l tone-map -x -a 'neutral aces agx none' -d 'how light becomes colours'
 complete -c rhw -n "$seen" -l transparency -x -a 'sorted exact' -d 'sorted or exact'
 complete -c rhw -n "$seen" -l exposure -x -d 'brighter by this many factors of two'
+complete -c rhw -n "$seen" -l fragment-shader -r -F -d 'let a shader of your own, .frag or .spv, shade the model instead of its materials'
+complete -c rhw -n "$seen" -l fragment-shader-template -d 'print such a shader, with all that it may read, to begin with'
 complete -c rhw -n "$seen" -s j -l threads -x -d 'threads to use, 1..64'
 complete -c rhw -n "$seen" -l isa -x -a 'baseline avx2 avx512' -d 'instruction set'
 complete -c rhw -n "$seen" -l paths -x -a 'all in-order general' -d 'all, in-order or general'
