@@ -59,7 +59,8 @@ function(rhw_write_shaders target result)
   if(TARGET rhw_program)
     set(program rhw_program)
   else()
-    find_program(RHW_PROGRAM_FILE rhw)
+    set(here ${CMAKE_CURRENT_FUNCTION_LIST_DIR})
+    find_program(RHW_PROGRAM_FILE rhw HINTS ${here}/../../../bin ${here}/../../../../bin) # where the package stands
     set(program ${RHW_PROGRAM_FILE})
     if(NOT program)
       message(FATAL_ERROR "rhw_add_shaders: ${target} has shaders in GLSL or SPIR-V, and there is no program rhw "
