@@ -54,8 +54,8 @@ static rhw_shader_program *make_program(int stuff)
                       *const fragment = make_shader(knot_frag, sizeof knot_frag, RHW_SHADER_FRAGMENT, stuff);
     char message[RHW_SHADER_MESSAGE];
     rhw_shader_program *program;
-    must(rhw_shader_program_create(
-             &(struct rhw_shader_program_def){.vertex = vertex, .fragment = fragment}, &program, message),
+    must(rhw_shader_program_create(&(struct rhw_shader_program_def){.vertex = vertex, .fragment = fragment},
+                                   &program, message),
          message);
     rhw_shader_destroy(vertex);
     rhw_shader_destroy(fragment);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Calls glslang. Its exceptions are those of memory.
-#include "glsl.h"
+#include "glsl_here.h"
 
 #include <cstdlib>
 #include <cstring>
@@ -17,25 +17,6 @@
 #include "glsl_macro.h"
 
 namespace {
-
-// glslang's own tables, which every thread shares.
-class Process {
-  public:
-    Process()
-    {
-        glslang::InitializeProcess();
-    }
-    ~Process()
-    {
-        glslang::FinalizeProcess();
-    }
-};
-
-void initialize()
-{
-    static const Process process;
-    (void)process;
-}
 
 // Asks the caller for what a text includes.
 class Includer : public glslang::TShader::Includer {
@@ -108,8 +89,9 @@ EShLanguage language_of(rhw_shader_stage stage)
 bool translate(EShLanguage stage, const char *text, int size, const char *name, const char *preamble,
                const glsl_options &options, std::vector<unsigned> &words, std::string &log)
 {
-    const EShMessages messages = static_cast<EShMessages>(EShMsgSpvRules | EShMsgVulkanRules | EShMsgCascadingErrors |
-                                                          (options.has_lines ? EShMsgDebugInfo : 0));
+    const EShMessages messages =
+        static_cast<EShMessages>(EShMsgSpvRules | EShMsgVulkanRules | EShMsgCascadingErrors |
+                                 (options.has_lines ? EShMsgDebugInfo : 0));
     glslang::TShader shader(stage);
     shader.setStringsWithLengthsAndNames(&text, &size, &name, 1);
     shader.setPreamble(preamble);
@@ -145,6 +127,24 @@ bool translate(EShLanguage stage, const char *text, int size, const char *name, 
     return !words.empty();
 }
 
+// glslang's own tables, which every thread and child shares. Those of functions are made for the first text.
+class Process {
+  public:
+    Process()
+    {
+        glslang::InitializeProcess();
+        const glsl_options nothing = {};
+        std::vector<unsigned> words;
+        std::string log;
+        const char text[] = "void main() {}";
+        translate(EShLangFragment, text, sizeof text - 1, "", "", nothing, words, log);
+    }
+    ~Process()
+    {
+        glslang::FinalizeProcess();
+    }
+};
+
 bool out_of_memory(const char *name, char *message, size_t message_size)
 {
     glsl_log_first((std::string(name) + ": memory is out").c_str(), message, message_size);
@@ -158,30 +158,36 @@ bool glsl_is_there(void)
     return true;
 }
 
-bool glsl_compile(enum rhw_shader_stage stage, const char *text, size_t size, const char *name,
-                  const struct glsl_options *options, struct glsl_code *code, char *message,
-                  size_t message_size)
+bool glsl_prepare(void)
 try {
-    static const glsl_options nothing = {};
-    const glsl_options &chosen = options != nullptr ? *options : nothing;
+    static const Process process;
+    (void)process;
+    return true;
+} catch (const std::bad_alloc &) {
+    return false;
+}
+
+bool glsl_compile_here(enum rhw_shader_stage stage, const char *text, size_t size, const char *name,
+                       const struct glsl_options *options, struct glsl_code *code, char *message,
+                       size_t message_size)
+try {
     *code = glsl_code{};
     if (size > GLSL_MAX_TEXT_SIZE) {
         glsl_log_first((std::string(name) + ": the text is larger than 16 MiB").c_str(), message,
                        message_size);
         return false;
     }
-    if (!glsl_macros_check(&chosen, message, message_size)) {
+    if (!glsl_macros_check(options, message, message_size)) {
         return false;
     }
-    const std::unique_ptr<char, void (*)(void *)> preamble(glsl_macros_print(&chosen), std::free);
+    const std::unique_ptr<char, void (*)(void *)> preamble(glsl_macros_print(options), std::free);
     if (!preamble) {
         return out_of_memory(name, message, message_size);
     }
-    initialize();
     std::vector<unsigned> words;
     std::string log;
-    const bool made =
-        translate(language_of(stage), text, static_cast<int>(size), name, preamble.get(), chosen, words, log);
+    const bool made = translate(language_of(stage), text, static_cast<int>(size), name, preamble.get(),
+                                *options, words, log);
     code->log = glsl_log_lines(log.c_str(), name);
     if (code->log == nullptr) {
         return out_of_memory(name, message, message_size);

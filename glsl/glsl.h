@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // GLSL 4.50 and ESSL 3.10 texts for Vulkan 1.1 become SPIR-V 1.3. A build without glslang has the same functions, and
-// refuses every text in one line. Any thread may compile; those that compile at a time do not wait for each other.
+// refuses every text in one line. Any thread may compile, and several at a time. Each text is compiled in a process of
+// its own, which may crash or take too long.
 #ifndef GLSL_GLSL_H
 #define GLSL_GLSL_H
 
@@ -14,8 +15,9 @@ extern "C" {
 #endif
 
 enum {
-    GLSL_MAX_INCLUDE_DEPTH = 32,  ///< files that include each other
-    GLSL_MAX_TEXT_SIZE = 16 << 20 ///< bytes of a text, and of a file that is included
+    GLSL_MAX_INCLUDE_DEPTH = 32,   ///< files that include each other
+    GLSL_MAX_TEXT_SIZE = 16 << 20, ///< bytes of a text, and of a file that is included
+    GLSL_MAX_CODE_SIZE = 256 << 20 ///< bytes of a module
 };
 
 /// A macro that a text may use, as `#define name value` before its first line.
@@ -37,12 +39,12 @@ struct glsl_include {
 struct glsl_options {
     const struct glsl_macro *macros;
     uint32_t macro_count;
-    /// Fill the results of an include. Return NULL, or what is wrong: it lives until the next call. NULL: a text that
-    /// includes is refused.
+    /// Fill the results of an include. Return NULL, or what is wrong: it lives until the next call. It runs in the
+    /// process that compiles, so what it changes is lost. NULL: a text that includes is refused.
     const char *(*include)(void *user, struct glsl_include *include);
     void *user;
-    /// Uniforms that are in no block, as OpenGL has them, go to a block `gl_DefaultUniformBlock` of set 0, and what has no
-    /// binding or location gets the next free one.
+    /// Uniforms that are in no block, as OpenGL has them, go to a block `gl_DefaultUniformBlock` of set 0, and what
+    /// has no binding or location gets the next free one.
     bool is_relaxed;
     /// The code knows its text and the lines that instructions come from, for rhw_shader_print.
     bool has_lines;
@@ -59,8 +61,8 @@ struct glsl_code {
 bool glsl_is_there(void);
 
 /// Compile a text of `size` bytes. `name` is what messages call it, and the file that includes are relative to. A text
-/// without #version is GLSL 4.50. Return false on an error, and put the first one into `message`, in one line that names file
-/// and line. The code is given back by glsl_code_free in either case.
+/// without #version is GLSL 4.50. Return false on an error, and put the first one into `message`, in one line that
+/// names file and line. The code is given back by glsl_code_free in either case.
 bool glsl_compile(enum rhw_shader_stage stage, const char *text, size_t size, const char *name,
                   const struct glsl_options *options, struct glsl_code *code, char *message,
                   size_t message_size);
@@ -77,8 +79,8 @@ struct glsl_folders {
     uint32_t count;
 };
 
-/// glsl_options.include, whose user is a const struct glsl_folders: a file relative to that which includes it, unless in angle
-/// brackets, then in each of the folders.
+/// glsl_options.include, whose user is a const struct glsl_folders: a file relative to that which includes it, unless
+/// in angle brackets, then in each of the folders.
 const char *glsl_include_file(void *user, struct glsl_include *include);
 
 #ifdef __cplusplus

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// glslang computes constant expressions by the elementary functions of the C library, which may differ in the last bit from
-// machine to machine. The linker gives it these instead (--wrap), so that a constant expression has the value that a
-// shader of rhw computes, everywhere.
+// glslang computes constant expressions by the elementary functions of the C library, which may differ in the last bit
+// from machine to machine. The linker gives it these instead (--wrap), so that a constant expression has the value
+// that a shader of rhw computes, everywhere.
 #include <rhw/shader.h>
 
 double __wrap_sin(double a);

@@ -81,12 +81,20 @@ static size_t place_of(const struct line *line)
 // Print a line where `text` is not NULL. Return its length.
 static size_t print(char *text, size_t room, const struct line *line, const char *name)
 {
-    const size_t place = place_of(line);
+    size_t place = place_of(line);
+    const size_t end = place;
+    // A message about no word in particular begins with two quotes.
+    static const char no_word[] = "'' : ";
+    if (place > 0 && line->length - place >= sizeof no_word &&
+        memcmp(line->text + place, no_word, sizeof no_word - 1) == 0) {
+        place += sizeof no_word - 1;
+        place += strspn(line->text + place, " ");
+    }
     const char *const kind = line->is_warning ? "warning: " : "";
     const int rest = (int)(line->length - place);
-    const int length = place > 0 ? snprintf(text, room, "%.*s%s%.*s\n", (int)place, line->text, kind, rest,
-                                            line->text + place)
-                                 : snprintf(text, room, "%s: %s%.*s\n", name, kind, rest, line->text);
+    const int length =
+        place > 0 ? snprintf(text, room, "%.*s%s%.*s\n", (int)end, line->text, kind, rest, line->text + place)
+                  : snprintf(text, room, "%s: %s%.*s\n", name, kind, rest, line->text);
     return (size_t)length;
 }
 

@@ -9,8 +9,8 @@
 extern "C" {
 #endif
 
-/// Return the lines of a log of glslang by malloc, errors before warnings, each "NAME:LINE: what is wrong" and warnings with
-/// "warning: " before what is wrong. Lines that only count errors are left out. NULL: memory is out.
+/// Return the lines of a log of glslang by malloc, errors before warnings, each "NAME:LINE: what is wrong" and
+/// warnings with "warning: " before what is wrong. Lines that only count errors are left out. NULL: memory is out.
 char *glsl_log_lines(const char *log, const char *name);
 
 /// Put the first line of a text into `message`.

@@ -87,6 +87,10 @@ endif()
 # What Debian has elsewhere than others do, and what only a Debian package has.
 set(CPACK_PRE_BUILD_SCRIPTS ${CMAKE_CURRENT_LIST_DIR}/debian_layout.cmake)
 set(CPACK_RHW_SOURCE ${PROJECT_SOURCE_DIR})
+# Static libraries of Debian that the program has in it, whose notices go with it.
+if(TARGET rhw_glslang AND EXISTS /usr/share/doc/glslang-dev/copyright AND EXISTS /usr/share/doc/spirv-tools/copyright)
+  set(CPACK_RHW_PARTS "glslang-dev;spirv-tools")
+endif()
 set(CPACK_RHW_SHLIBS ${PROJECT_BINARY_DIR}/package/shlibs)
 set(CPACK_RHW_PACKAGES "library=${librhw};development=librhw-dev;program=rhw;view=rhw-view")
 include(CPack)

@@ -43,6 +43,11 @@ ${package}: pkg-config-bad-directive
   set(doc ${share}/doc/${package})
   file(MAKE_DIRECTORY ${doc})
   configure_file(${CPACK_RHW_SOURCE}/package/copyright ${doc}/copyright COPYONLY)
+  if(package STREQUAL rhw)
+    foreach(part IN LISTS CPACK_RHW_PARTS)
+      configure_file(/usr/share/doc/${part}/copyright ${doc}/copyright.${part} COPYONLY)
+    endforeach()
+  endif()
   configure_file(${CPACK_RHW_SOURCE}/CHANGELOG.md ${doc}/changelog COPYONLY)
   file(WRITE ${doc}/changelog.Debian "rhw (${CPACK_PACKAGE_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE}) unstable; urgency=medium
 

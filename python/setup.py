@@ -53,6 +53,12 @@ def copyright_of(library: Path) -> "Path | None":
     return None
 
 
+def static_libraries(build: Path) -> list:
+    """Paths of the archives that the extension has inside, as CMake found them."""
+    found = re.findall(r"^\w[^\n=]*:FILEPATH=(/[^\n]*\.a)$", (build / "CMakeCache.txt").read_text(), re.M)
+    return [Path(path) for path in found]
+
+
 class BuildExtension(build_ext):
     def build_extension(self, ext: Extension) -> None:
         target = Path(self.get_ext_fullpath(ext.name))
@@ -68,6 +74,10 @@ class BuildExtension(build_ext):
         target.parent.mkdir(parents=True, exist_ok=True)
         shutil.copy(built, target)
         self.take_along(built, target.parent / "lib")
+        for path in static_libraries(build):
+            terms = copyright_of(path)
+            if terms and terms.exists():
+                shutil.copy(terms, target.parent / "lib" / f"{terms.parent.name}.copyright")
 
     def take_along(self, extension: Path, folder: Path) -> None:
         folder.mkdir(exist_ok=True)

@@ -23,8 +23,9 @@ RHW_API int rhw_binding_sample_samples(const struct rhw_binding *binding);
 /// Return the number of whole words of the binding's bytes, or 0 without any.
 RHW_API uint32_t rhw_binding_storage_count(const struct rhw_binding *binding);
 
-/// Return the words of the binding's bytes, for reading, and set *count to their number. Without any, return NULL. Where
-/// functions on other threads write the words, they are read by relaxed atomics, as rhw_binding_storage_load does.
+/// Return the words of the binding's bytes, for reading, and set *count to their number. Without any, return NULL.
+/// Where functions on other threads write the words, they are read by relaxed atomics, as rhw_binding_storage_load
+/// does.
 RHW_API const uint32_t *rhw_binding_storage_words(const struct rhw_binding *binding, uint32_t *count);
 
 RHW_QUIET_BEGIN

@@ -7,6 +7,7 @@
 #define RHW_SHADER_SPIRV_H
 
 #include "shader.h"
+#include "shader_subgroup.h"
 #include "spirv.h"
 
 RHW_QUIET_BEGIN
@@ -65,6 +66,12 @@ static inline int32_t rhw_spirv_push_word(const struct rhw_shader_frame *frame, 
         memcpy(&value, (const unsigned char *)frame->push_constants + 4 * (size_t)index, sizeof value);
     }
     return value;
+}
+
+/// Return true, now and then, if the work is given up that a loop belongs to (rhw_work_is_given_up). *rounds counts.
+static inline bool rhw_spirv_is_given_up(uint32_t *rounds, const struct rhw_bindings *bindings)
+{
+    return ++*rounds % 256 == 0 && rhw_work_is_given_up(bindings);
 }
 
 #if RHW_HAS_LANES
@@ -275,6 +282,49 @@ static inline void rhw_spirv_size(const struct rhw_binding *binding, const rhw_i
     for (int i = 0; i < 3; i++) {
         texel[i] = rhw_float_from_bits(size[i]);
     }
+}
+
+/// Set the first 3 components of `texel` to the bits of rhw_binding_image_size.
+static inline void rhw_spirv_image_size(const struct rhw_binding *binding, rhw_float texel[4])
+{
+    rhw_int size[3] = {rhw_splat_int(0), rhw_splat_int(0), rhw_splat_int(0)};
+    rhw_binding_image_size(binding, size);
+    for (int i = 0; i < 3; i++) {
+        texel[i] = rhw_float_from_bits(size[i]);
+    }
+}
+
+/// Return the bias of a request, raised as far as the level of detail is below the least that is asked for.
+static inline rhw_float rhw_spirv_raised_bias(const struct rhw_binding *binding,
+                                              const struct rhw_sample_request *request, rhw_float least)
+{
+    rhw_float lod[2];
+    rhw_binding_sample_query_lod(binding, request, lod);
+    const rhw_float bias = request->bias ? *request->bias : rhw_splat(0.0f);
+    const rhw_int is_below = rhw_less(lod[0], least);
+    return bias + rhw_select(is_below, rhw_max(least - lod[1], rhw_splat(0.0f)), rhw_splat(0.0f));
+}
+
+/// Sample at a level of detail that is at least `least`.
+static inline void rhw_spirv_sample_above(const struct rhw_binding *binding,
+                                          const struct rhw_sample_request *request, rhw_float least,
+                                          rhw_float texel[4])
+{
+    const rhw_float bias = rhw_spirv_raised_bias(binding, request, least);
+    struct rhw_sample_request raised = *request;
+    raised.bias = &bias;
+    rhw_binding_sample(binding, &raised, texel);
+}
+
+/// Change texels by an operation, in the lanes of `mask`. Return the texels as they were before.
+static inline rhw_int rhw_spirv_image_atomic(const struct rhw_binding *binding,
+                                             enum rhw_storage_operation operation, const rhw_int *at,
+                                             rhw_int value, rhw_int comparand, rhw_int mask)
+{
+    const struct rhw_storage_request request = {operation, &mask, at, &value, &comparand};
+    rhw_int before;
+    rhw_binding_image_atomic(binding, &request, &before);
+    return before;
 }
 
 /// Take what was sampled for some lanes.

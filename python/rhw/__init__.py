@@ -20,7 +20,7 @@ load, Model, Camera   models, and where they are seen from
 Environment           light from a panorama
 Pictures              what a render gives: a dictionary of NumPy arrays
 write_png             an array as a file
-pipeline              buffers, textures and passes, for what no model and no material is needed for
+pipeline              buffers, textures, passes and shaders of your own, for what no model and no material is needed for
 diff                  rasterization with gradients, for those who learn from images; rhw.torch has it for autograd
 Context               how many threads draw; nothing that is drawn depends on it
 Error                 the work failed: one line that names the thing and the cause

@@ -173,6 +173,7 @@ def _formats_of(outputs: Any, argument: str) -> Dict[str, str]:
 
 
 _Clear = Union[float, Sequence[float]]
+_WHITE: Tuple[float, ...] = (1, 1, 1, 1)
 
 
 class Pass:
@@ -242,7 +243,7 @@ class Pass:
 
     def __call__(self, pipeline: Pipeline, positions: Any, faces: Any = None, values: Optional[Values] = None, *,
                  colors: Any = None, uv: Any = None, normals: Any = None, matrix: Any = None, world: Any = None,
-                 color: Sequence[float] = (1, 1, 1, 1), texture: Optional[Texture] = None,
+                 color: Sequence[float] = _WHITE, texture: Optional[Texture] = None,
                  sampler: Optional[Sampler] = None, object: int = 1, first_triangle: int = 1, instances: int = 1) -> None:
         """Records a draw.
 
@@ -269,9 +270,10 @@ class Pass:
                 raise TypeError(f"{name}: must be a {kind.__name__}, not {_arrays.text(value)}")
         if self.formats != pipeline.outputs or list(self.formats) != list(pipeline.outputs):
             raise ValueError(f"pipeline: draws {pipeline.outputs}, the targets are {self.formats}")
-        others = {"colors": colors, "uv": uv, "normals": normals, "matrix": matrix, "world": world, "texture": texture,
-                  "sampler": sampler}
         if pipeline.program is not None:
+            others = {"colors": colors, "uv": uv, "normals": normals, "matrix": matrix, "world": world, "texture": texture,
+                      "sampler": sampler, "color": None if color is _WHITE else color,
+                      "object": None if object == 1 else object, "first_triangle": None if first_triangle == 1 else first_triangle}
             for name, other in others.items():
                 if other is not None:
                     raise ValueError(f"{name}: a program takes it from values")

@@ -105,6 +105,7 @@ static struct scene_surface_pass surfaces_of(const struct draw *draw, const stru
                                           .solid = true,
                                           .part = part,
                                           .order = &scene->order,
+                                          .program = &scene->program_draws,
                                           .interpolate = draw->view->interpolate,
                                           .formats = {light_format},
                                           .format_count = 1,

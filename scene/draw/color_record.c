@@ -12,6 +12,7 @@ void scene_color_surfaces(const struct draw *draw, const enum rhw_format *format
     const struct scene *const scene = draw->scene;
     *surfaces = (struct scene_surface_pass){.frame = &draw->frame,
                                             .order = &scene->order,
+                                            .program = &scene->program_draws,
                                             .interpolate = draw->view->interpolate,
                                             .wireframe = draw->view->wireframe,
                                             .format_count = format_count,

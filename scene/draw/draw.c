@@ -62,6 +62,7 @@ void scene_destroy(struct scene *scene)
     scene_surroundings_destroy(context, &scene->surroundings);
     scene_backdrop_destroy(context, &scene->backdrop);
     scene_peel_destroy(context, &scene->peel);
+    scene_program_destroy(context, &scene->program_draws);
     scene_triangle_order_destroy(context, &scene->order);
     rhw_sampler_destroy(context, scene->nearest);
     scene_vicinity_free(&scene->vicinity);
@@ -148,7 +149,11 @@ static enum rhw_result draw_color(struct draw *draw)
     if (!(draw->view->outputs & colors)) {
         return RHW_OK;
     }
-    const enum rhw_result result = draw_light(draw);
+    enum rhw_result result =
+        scene_program_prepare(&draw->scene->program_draws, &draw->scene->upload, draw->view->program);
+    if (result == RHW_OK) {
+        result = draw_light(draw);
+    }
     if (result != RHW_OK) {
         return result;
     }

@@ -8,6 +8,7 @@
 #include "ground.h"
 #include "guide.h"
 #include "light.h"
+#include "material_program.h"
 #include "panorama.h"
 #include "shadow.h"
 #include "surface.h"
@@ -43,7 +44,8 @@ struct scene {
     struct scene_surroundings surroundings;
     struct scene_seen_through backdrop;
     struct scene_peel peel;
-    struct scene_triangle_order order; // order of triangles of the draw under way
+    struct scene_program_draws program_draws; // with view.program
+    struct scene_triangle_order order;        // order of triangles of the draw under way
     rhw_sampler nearest;
     double upload_ms;
 };

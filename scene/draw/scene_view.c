@@ -58,6 +58,13 @@ bool scene_view_check(const struct scene_view *view, char *error, size_t error_s
     } else if (view->transparency == SCENE_TRANSPARENCY_EXACT &&
                view->outputs & (SCENE_OUTPUT_TILES | SCENE_OUTPUT_PLAN)) {
         snprintf(error, error_size, "transparency: of exact there is no one pass whose tiles could be shown");
+    } else if (view->program &&
+               (view->outputs & SCENE_OUTPUT_LINEAR || view->wireframe != SCENE_WIREFRAME_NONE ||
+                view->interpolate != RHW_SMOOTH || view->transparency == SCENE_TRANSPARENCY_EXACT)) {
+        snprintf(
+            error, error_size,
+            "fragment shader: has no light before tone mapping, no wireframe, no noperspective and no exact "
+            "transparency");
     } else if (!(view->exposure >= -20.0 && view->exposure <= 20.0)) {
         snprintf(error, error_size, "exposure: must lie between -20 and 20 stops");
     } else {

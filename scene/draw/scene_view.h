@@ -74,6 +74,9 @@ struct scene_view {
     const struct scene_panorama
         *panorama;            ///< lights the model instead of the studio; NULL: none. Outlives the scene
     double panorama_rotation; ///< degrees about what is up, against the clock as seen from there
+    /// Shades the triangles of COLOR and DISPLAY instead of their materials (material_program.h), not tone-mapped; or
+    /// NULL. It outlives the scene, which draws with no other.
+    const struct rhw_program *program;
     enum scene_transparency transparency;
     enum scene_tone tone; ///< how light becomes a picture
     double exposure;      ///< stops, added to what is chosen for the lights; −20..20

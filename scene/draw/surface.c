@@ -3,6 +3,7 @@
 #include "surface.h"
 
 #include "light.h"
+#include "material_program.h"
 #include "surface_layout.h"
 
 #include <stdlib.h>
@@ -139,7 +140,8 @@ static struct rhw_pipeline_def pipeline_def(const struct scene_surface_key *key)
 }
 
 static enum rhw_result find_pipeline(rhw_context *context, struct scene_surface_pipelines *pipelines,
-                                     const struct scene_surface_key *key, rhw_pipeline *pipeline)
+                                     const struct scene_surface_key *key, const struct rhw_program *program,
+                                     rhw_pipeline *pipeline)
 {
     for (uint32_t i = 0; i < pipelines->count; i++) {
         if (memcmp(&pipelines->keys[i], key, sizeof *key) == 0) {
@@ -158,7 +160,10 @@ static enum rhw_result find_pipeline(rhw_context *context, struct scene_surface_
         }
         pipelines->capacity = capacity;
     }
-    const struct rhw_pipeline_def def = pipeline_def(key);
+    struct rhw_pipeline_def def = pipeline_def(key);
+    if (key->program) {
+        scene_program_describe(key, program, &def);
+    }
     const enum rhw_result result = rhw_pipeline_create(context, &def, pipeline);
     if (result == RHW_OK) {
         pipelines->keys[pipelines->count] = *key;
@@ -179,6 +184,31 @@ void scene_surface_pipelines_destroy(rhw_context *context, struct scene_surface_
 
 // Recording -----------------------------------------------------------------------------------------
 
+// Set what the built-in shaders read.
+static void bind_material(const struct scene_upload *upload, const struct scene_surface_pass *def,
+                          rhw_pass pass, uint32_t mesh, const struct scene_surface *surface)
+{
+    rhw_context *context = upload->context;
+    const struct scene_uploaded_material *material = &upload->materials[upload->model->meshes[mesh].material];
+    rhw_pass_set_uniforms(context, pass, surface, sizeof *surface);
+    for (int s = 0; s < SCENE_SLOT_COUNT; s++) {
+        if (surface->slot_varying[s] >= 0) {
+            rhw_pass_set_texture(context, pass, surface->slot_unit[s], material->slots[s].texture,
+                                 material->slots[s].sampler);
+        }
+    }
+    if (surface->layers && def->backdrop.generation) {
+        rhw_pass_set_texture(context, pass, SCENE_SLOT_BACKDROP, def->backdrop, def->backdrop_sampler);
+    }
+    if (def->environment.generation) {
+        rhw_pass_set_texture(context, pass, SCENE_SLOT_ENVIRONMENT, def->environment,
+                             def->environment_sampler);
+    }
+    if (def->frame->peel_samples > 0) {
+        rhw_pass_set_texture(context, pass, surface->peel_unit, def->peeled, def->peeled_sampler);
+    }
+}
+
 static enum rhw_result record_instance(const struct scene_upload *upload,
                                        struct scene_surface_pipelines *pipelines,
                                        const struct scene_surface_pass *def, rhw_pass pass, uint32_t instance)
@@ -189,26 +219,13 @@ static enum rhw_result record_instance(const struct scene_upload *upload,
     scene_surface_lay_out(upload, def, instance, &surface, &key);
     const uint32_t mesh_index = upload->model->instances[instance].mesh;
     const struct scene_uploaded_mesh *mesh = &upload->meshes[mesh_index];
-    const struct scene_uploaded_material *material =
-        &upload->materials[upload->model->meshes[mesh_index].material];
     rhw_pass_set_vertex_buffer(context, pass, 0, mesh->vertices, 0);
     rhw_pass_set_index_buffer(context, pass, mesh->indices, RHW_INDEX_UINT32, 0);
-    rhw_pass_set_uniforms(context, pass, &surface, sizeof surface);
-    for (int s = 0; s < SCENE_SLOT_COUNT; s++) {
-        if (surface.slot_varying[s] >= 0) {
-            rhw_pass_set_texture(context, pass, surface.slot_unit[s], material->slots[s].texture,
-                                 material->slots[s].sampler);
-        }
-    }
-    if (surface.layers && def->backdrop.generation) {
-        rhw_pass_set_texture(context, pass, SCENE_SLOT_BACKDROP, def->backdrop, def->backdrop_sampler);
-    }
-    if (def->environment.generation) {
-        rhw_pass_set_texture(context, pass, SCENE_SLOT_ENVIRONMENT, def->environment,
-                             def->environment_sampler);
-    }
-    if (def->frame->peel_samples > 0) {
-        rhw_pass_set_texture(context, pass, surface.peel_unit, def->peeled, def->peeled_sampler);
+    enum rhw_result result = RHW_OK;
+    if (scene_program_lay_out(upload, def, instance, &key)) {
+        result = scene_program_bind(upload, def, pass, instance, &surface);
+    } else {
+        bind_material(upload, def, pass, mesh_index, &surface);
     }
     const rhw_buffer sorted = key.blend ? scene_triangle_order_of(def->order, instance) : (rhw_buffer){0};
     if (sorted.generation) {
@@ -216,12 +233,13 @@ static enum rhw_result record_instance(const struct scene_upload *upload,
     }
     // A blended surface with two sides shows its far side through the near one: far side first.
     const bool twice = key.blend && !sorted.generation && key.cull == RHW_CULL_NONE && surface.is_triangle;
-    for (int side = twice ? 0 : 1; side < 2; side++) {
+    for (int side = twice ? 0 : 1; side < 2 && result == RHW_OK; side++) {
         if (twice) {
             key.cull = side == 0 ? RHW_CULL_FRONT : RHW_CULL_BACK;
         }
         rhw_pipeline pipeline;
-        const enum rhw_result result = find_pipeline(context, pipelines, &key, &pipeline);
+        result =
+            find_pipeline(context, pipelines, &key, def->program ? def->program->program : NULL, &pipeline);
         if (result != RHW_OK) {
             return result;
         }
@@ -231,7 +249,7 @@ static enum rhw_result record_instance(const struct scene_upload *upload,
             return RHW_ERROR_OUT_OF_MEMORY;
         }
     }
-    return RHW_OK;
+    return result;
 }
 
 // Whether a pass draws what is blended or not, and what light passes through or not.

@@ -26,8 +26,9 @@ struct shader_emitter {
     uint32_t divergence;       // structures around this place whose lanes go different ways
     const char *group;         // the element that counts of what has one for each group
     bool is_dead;              // no lane comes to this place
+    bool counts_rounds;        // of loops
     bool is_run_open;          // this place is in a loop over groups
-    uint32_t run;              // that is open or comes next
+    uint32_t run;              // number of the one that is open or comes next
     uint32_t wide_mask;        // number of the mask with which the run began
     uint32_t *loops;           // places of the LOOPs that are loops of C, from the outermost
     uint32_t loop_depth;

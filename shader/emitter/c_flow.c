@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Structure, and which lanes are active. The mask at a place has a name of its own, m1, m2, …, so that it needs nothing to
-// come back to an outer one. `alive` has the lanes that have not left: what is active behind structure that loses lanes is
-// what came in and is alive. Structure whose lanes all go one way is that of C.
+// Structure, and which lanes are active. The mask at a place has a name of its own, m1, m2, …, so that it needs
+// nothing to come back to an outer one. `alive` has the lanes that have not left: what is active behind structure that
+// loses lanes is what came in and is alive. Structure whose lanes all go one way is that of C.
 //
 // Masks of wide structure are arrays, lanes1, lanes2, …, with an element for each group, and alive is alive_in[].
 #include "c_emit.h"
@@ -179,6 +179,19 @@ static void write_region(struct shader_emitter *emitter, uint32_t place)
     end_leaving(emitter, place, before);
 }
 
+// A loop may have no end, so the program is asked now and then whether somebody waits for it.
+static void write_giving_up(struct shader_emitter *emitter)
+{
+    if (!emitter->counts_rounds) {
+        shader_text_line(&emitter->once, "uint32_t rounds = 0;");
+        emitter->counts_rounds = true;
+    }
+    shader_text_line(emitter->out, "if (rhw_spirv_is_given_up(&rounds, %s)) {",
+                     emitter->kind == RHW_SHADER_COMPUTE ? "w->bindings" : "groups[0].bindings");
+    shader_text_line(emitter->out, "return;");
+    shader_text_line(emitter->out, "}");
+}
+
 // A round begins with the lanes that came to the end of the one before.
 static void write_loop(struct shader_emitter *emitter, uint32_t place)
 {
@@ -200,6 +213,9 @@ static void write_loop(struct shader_emitter *emitter, uint32_t place)
             shader_text_line(emitter->out, "break;");
             shader_text_line(emitter->out, "}");
         }
+    }
+    if (!emitter->is_dead) {
+        write_giving_up(emitter);
     }
     if (structure->is_uniform) {
         shader_text_line(emitter->out, "}");
@@ -452,6 +468,7 @@ static void write_wide_region(struct shader_emitter *emitter, uint32_t place)
     } else if (is_loop) {
         for_groups(emitter, shader_format(memory, "lanes%u[g] = lanes%u[g];", (unsigned)round,
                                           (unsigned)emitter->mask));
+        write_giving_up(emitter);
         shader_text_line(emitter->out, "if (!rhw_spirv_any(lanes%u, groups_here)) {", (unsigned)round);
         shader_text_line(emitter->out, "break;");
         shader_text_line(emitter->out, "}");

@@ -79,6 +79,9 @@ static void write_sample_request(struct shader_emitter *emitter, const struct re
         fields = shader_format(memory, "%s, .bias = %s", fields,
                                write_pointed(emitter, request, "bias", SHADER_IMAGE_BIAS, true));
     }
+    if (flags & SHADER_IMAGE_HAS_LEAST_LOD) {
+        (void)write_pointed(emitter, request, "least", SHADER_IMAGE_LEAST_LOD, true);
+    }
     shader_text_line(emitter->out, "const struct rhw_sample_request request%u = {%s};", value, fields);
 }
 
@@ -118,6 +121,11 @@ static void write_call(struct shader_emitter *emitter, const struct request *req
         request->flags & SHADER_IMAGE_HAS_LOD ? shader_format(emitter->memory, "&lod%u", value) : "NULL";
     switch ((enum shader_image_operation)(request->flags & 15)) {
     case SHADER_DO_SAMPLE:
+        if (request->flags & SHADER_IMAGE_HAS_LEAST_LOD) {
+            shader_text_line(out, "rhw_spirv_sample_above(%s, &request%u, least%u, %s);", binding, value,
+                             value, texel);
+            return;
+        }
         shader_text_line(out, "rhw_binding_sample(%s, &request%u, %s);", binding, value, texel);
         return;
     case SHADER_DO_GATHER:
@@ -139,6 +147,7 @@ static void write_call(struct shader_emitter *emitter, const struct request *req
         shader_text_line(out, "rhw_binding_image_load(%s, at%u, %s);", binding, value, texel);
         return;
     case SHADER_DO_SIZE: shader_text_line(out, "rhw_spirv_size(%s, %s, %s);", binding, lod, texel); return;
+    case SHADER_DO_IMAGE_SIZE: shader_text_line(out, "rhw_spirv_image_size(%s, %s);", binding, texel); return;
     case SHADER_DO_LEVELS:
         shader_text_line(out, "%s[0] = rhw_spirv_count(rhw_binding_sample_levels(%s));", texel, binding);
         return;

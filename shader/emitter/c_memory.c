@@ -79,6 +79,7 @@ static const char *fragment_built_in(struct shader_emitter *emitter, uint32_t nu
                              (unsigned)(number - SHADER_IN_POINT_COORD));
     case SHADER_IN_LAYER: return "f->layer";
     case SHADER_IN_VIEWPORT: return "f->viewport_index";
+    case SHADER_IN_LANE: return "rhw_lane_numbers()";
     default: return "rhw_splat_int(0)";
     }
 }
@@ -86,7 +87,7 @@ static const char *fragment_built_in(struct shader_emitter *emitter, uint32_t nu
 static const char *invocation_built_in(struct shader_emitter *emitter, uint32_t number)
 {
     if (number >= SHADER_IN_LOCAL_INDEX) {
-        return "i->index";
+        return number == SHADER_IN_LANE ? "rhw_lane_numbers()" : "i->index";
     }
     const bool is_of_workgroup = number < SHADER_IN_LOCAL;
     const uint32_t first = number >= SHADER_IN_GLOBAL      ? SHADER_IN_GLOBAL
@@ -107,7 +108,9 @@ static void write_built_in(struct shader_emitter *emitter, uint32_t value)
     const char *text;
     switch (emitter->kind) {
     case RHW_SHADER_VERTEX:
-        text = number == SHADER_IN_INSTANCE_INDEX ? "v->instance_index" : "v->vertex_index";
+        text = number == SHADER_IN_INSTANCE_INDEX ? "v->instance_index"
+               : number == SHADER_IN_LANE         ? "rhw_lane_numbers()"
+                                                  : "v->vertex_index";
         break;
     case RHW_SHADER_FRAGMENT: text = fragment_built_in(emitter, number); break;
     default: text = invocation_built_in(emitter, number);
@@ -401,22 +404,33 @@ static const char *const atomic_names[] = {
     [SHADER_ATOMIC_XOR] = "XOR",
 };
 
+// Of a word of a buffer, or of a texel.
 static void write_atomic(struct shader_emitter *emitter, uint32_t value)
 {
     struct shader_memory *const memory = emitter->memory;
     struct shader_node *const node = &emitter->form->nodes[value];
+    const bool is_image = node->op == SHADER_IMAGE_ATOMIC;
     uint32_t count;
     const uint32_t *const operands = shader_operands(emitter->form, node, &count);
-    const char *const index = index_text(emitter, operands[SHADER_ATOMIC_OFFSET], 0, false);
-    const char *const number = shader_c_argument(emitter, operands[SHADER_ATOMIC_VALUE], false);
-    const char *const comparand = shader_c_argument(emitter, operands[SHADER_ATOMIC_COMPARAND], false);
-    const char *const name = shader_format(memory, "before%u", (unsigned)value);
-    const char *lanes;
-    shader_text_line(emitter->out, "rhw_int %s = rhw_splat_int(0);", name);
+    const uint32_t number = operands[is_image ? SHADER_IMAGE_ATOMIC_VALUE : SHADER_ATOMIC_VALUE];
+    const uint32_t comparand = operands[is_image ? SHADER_IMAGE_ATOMIC_COMPARAND : SHADER_ATOMIC_COMPARAND];
     const uint32_t buffer = shader_c_resource(emitter, operands[SHADER_ATOMIC_BUFFER]);
+    const char *const name = shader_format(memory, "before%u", (unsigned)value);
+    const char *index = shader_format(memory, "at%u", (unsigned)value), *lanes;
+    if (is_image) {
+        const uint32_t *const at = &operands[SHADER_IMAGE_ATOMIC_COORDINATES];
+        shader_text_line(emitter->out, "const rhw_int %s[4] = {%s, %s, %s};", index,
+                         shader_c_argument(emitter, at[0], false), shader_c_argument(emitter, at[1], false),
+                         shader_c_argument(emitter, at[2], false));
+    } else {
+        index = index_text(emitter, operands[SHADER_ATOMIC_OFFSET], 0, false);
+    }
+    shader_text_line(emitter->out, "rhw_int %s = rhw_splat_int(0);", name);
     const char *const binding = shader_c_begin_bindings(emitter, buffer, SHADER_C_NONE, &lanes);
-    shader_text_line(emitter->out, "%s |= rhw_spirv_atomic(%s, RHW_STORAGE_%s, %s, %s, %s, %s);", name,
-                     binding, atomic_names[node->immediate], index, number, comparand, lanes);
+    shader_text_line(emitter->out, "%s |= %s(%s, RHW_STORAGE_%s, %s, %s, %s, %s);", name,
+                     is_image ? "rhw_spirv_image_atomic" : "rhw_spirv_atomic", binding,
+                     atomic_names[node->immediate], index, shader_c_argument(emitter, number, false),
+                     shader_c_argument(emitter, comparand, false), lanes);
     shader_c_end_bindings(emitter, buffer, SHADER_C_NONE);
     if (emitter->plan.uses[value] > 0) {
         shader_c_define(emitter, value, name, "");
@@ -447,7 +461,8 @@ bool shader_c_write_access(struct shader_emitter *emitter, uint32_t place)
     case SHADER_LOAD: write_load(emitter, value); return true;
     case SHADER_STORE: write_store(emitter, node); return true;
     case SHADER_LENGTH: write_length(emitter, value); return true;
-    case SHADER_ATOMIC: write_atomic(emitter, value); return true;
+    case SHADER_ATOMIC:
+    case SHADER_IMAGE_ATOMIC: write_atomic(emitter, value); return true;
     default: return false;
     }
 }

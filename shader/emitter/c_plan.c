@@ -105,7 +105,7 @@ bool shader_c_is_wide(const struct shader_c_plan *plan, uint32_t place)
 bool shader_c_is_cut(const struct shader_c_plan *plan, uint32_t place)
 {
     const enum shader_op op = op_at(plan, place);
-    if (op == SHADER_ATOMIC) {
+    if (op == SHADER_ATOMIC || op == SHADER_IMAGE_ATOMIC) {
         const struct shader_node *const node = &plan->form->nodes[plan->form->code[place]];
         return plan->uses[plan->form->code[place]] > 0 || node->immediate == SHADER_ATOMIC_STORE ||
                node->immediate == SHADER_ATOMIC_EXCHANGE || node->immediate == SHADER_ATOMIC_COMPARE_EXCHANGE;
@@ -125,7 +125,7 @@ static void count_uses(struct shader_c_plan *plan)
             plan->last_use[operands[o]] = i;
         }
         plan->has_effects = plan->has_effects || op == SHADER_STORE || op == SHADER_ATOMIC ||
-                            op == SHADER_IMAGE_STORE || op == SHADER_BARRIER;
+                            op == SHADER_IMAGE_STORE || op == SHADER_IMAGE_ATOMIC || op == SHADER_BARRIER;
     }
 }
 
@@ -137,7 +137,7 @@ static uint32_t number_runs(struct shader_c_plan *plan, uint32_t begin, uint32_t
     for (uint32_t i = begin; i < end; i++) {
         const enum shader_op op = op_at(plan, i);
         if (shader_c_is_cut(plan, i)) {
-            plan->run[i] = op == SHADER_ATOMIC ? run + 1 : SHADER_C_NONE; // an atomic is a run of its own
+            plan->run[i] = op == SHADER_BARRIER ? SHADER_C_NONE : run + 1; // an atomic is a run of its own
             run += 2;
         } else if (shader_c_is_wide(plan, i)) {
             const struct shader_c_structure *const structure = &plan->structures[i];

@@ -2,9 +2,10 @@
 // What is decided about a stage before its text is written: which values are computed once a call, which are floats,
 // where each is read, and where all groups have to arrive before any goes on.
 //
-// A cut is a BARRIER, or an ATOMIC whose order among groups shows. Structure around a cut is wide: all groups go through
-// it together. The code between cuts and wide structure is a run, through which one group goes after the other. What one
-// run computes and another reads is kept in an array with an element for each group. Without a cut there is one run.
+// A cut is a BARRIER, or an ATOMIC whose order among groups shows. Structure around a cut is wide: all groups go
+// through it together. The code between cuts and wide structure is a run, through which one group goes after the
+// other. What one run computes and another reads is kept in an array with an element for each group. Without a cut
+// there is one run.
 #ifndef SHADER_C_PLAN_H
 #define SHADER_C_PLAN_H
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Values as expressions. A value that is read once, in the same block, stands where it is read, unless the line would be
-// long.
+// Values as expressions. A value that is read once, in the same block, stands where it is read, unless the line would
+// be long.
 #include "c_emit.h"
 
 #include <math.h>
@@ -9,7 +9,8 @@
 
 enum { LONGEST = 64 };
 
-// How an operation is written: an operator or a function, whether it gives a float, and whether its operands are floats.
+// How an operation is written: an operator or a function, whether it gives a float, and whether its operands are
+// floats.
 struct notation {
     const char *text;
     bool gives_float, takes_float[2];
@@ -227,7 +228,7 @@ static const char *expression_of(struct shader_emitter *emitter, uint32_t value)
                              shader_c_argument(emitter, operands[0], notation->takes_float[0]),
                              shader_c_argument(emitter, operands[1], notation->takes_float[1]));
     }
-    // Of two numbers one is written as lanes.
+    // One of two numbers is written as lanes.
     uint32_t bits;
     const bool are_numbers =
         shader_c_is_number(emitter, operands[0], &bits) && shader_c_is_number(emitter, operands[1], &bits);
@@ -274,11 +275,52 @@ static bool may_stand_elsewhere(const struct shader_emitter *emitter, uint32_t p
     return true;
 }
 
+static const char *const scans[] = {
+    [SHADER_SCAN_FADD] = "FADD",         [SHADER_SCAN_FMUL] = "FMUL",
+    [SHADER_SCAN_FMIN] = "FMIN",         [SHADER_SCAN_FMAX] = "FMAX",
+    [SHADER_SCAN_IADD] = "IADD",         [SHADER_SCAN_IMUL] = "IMUL",
+    [SHADER_SCAN_MIN_INT] = "MIN_INT",   [SHADER_SCAN_MAX_INT] = "MAX_INT",
+    [SHADER_SCAN_MIN_UINT] = "MIN_UINT", [SHADER_SCAN_MAX_UINT] = "MAX_UINT",
+    [SHADER_SCAN_AND] = "AND",           [SHADER_SCAN_OR] = "OR",
+    [SHADER_SCAN_XOR] = "XOR",
+};
+
+// Operations among the lanes of a group.
+static bool write_subgroup(struct shader_emitter *emitter, uint32_t value)
+{
+    static const char *const reaches[] = {"ALL", "INCLUSIVE", "EXCLUSIVE"};
+    const struct shader_node *const node = &emitter->form->nodes[value];
+    const unsigned mask = emitter->mask, immediate = node->immediate;
+    const char *const first = shader_c_argument(emitter, node->operands[0], false);
+    const char *text;
+    switch ((enum shader_op)node->op) {
+    case SHADER_BALLOT:
+        text = shader_format(emitter->memory, "rhw_spirv_ballot(%s, m%u)", first, mask);
+        break;
+    case SHADER_SHUFFLE:
+        text = shader_format(emitter->memory, "rhw_spirv_shuffle(%s, %s, m%u)", first,
+                             shader_c_argument(emitter, node->operands[1], false), mask);
+        break;
+    case SHADER_SCAN:
+        text = shader_format(emitter->memory,
+                             "rhw_spirv_scan(RHW_SPIRV_SCAN_%s, RHW_SPIRV_REACH_%s, %d, %s, m%u)",
+                             scans[immediate & 15], reaches[immediate >> SHADER_SCAN_REACH_SHIFT & 3],
+                             1 << (immediate >> SHADER_SCAN_CLUSTER_SHIFT & 3), first, mask);
+        break;
+    default: return false;
+    }
+    shader_c_define(emitter, value, text, "");
+    return true;
+}
+
 void shader_c_write_value(struct shader_emitter *emitter, uint32_t place)
 {
     const uint32_t value = emitter->form->code[place];
     const struct shader_node *const node = &emitter->form->nodes[value];
     const enum shader_op op = (enum shader_op)node->op;
+    if (write_subgroup(emitter, value)) {
+        return;
+    }
     if (op != SHADER_COPY && op != SHADER_SELECT && !notations[op].text) {
         snprintf(emitter->memory->message, sizeof emitter->memory->message,
                  "the operation %s cannot be written as C", shader_op_name(op));

@@ -16,9 +16,9 @@ struct shader_c_slot {
 struct shader_c_stage {
     const struct shader_program *form; // NULL: the program has no such stage
     const struct shader_c_slot *slots; // by resource
-    const uint8_t *component_of;       // of the varyings, by location · 4 + component; 0xff: there is none
+    const uint8_t *component_of;       // number among the varyings, by location · 4 + component; 0xff: none
     const bool *is_linear;             // by location: the input is flat or noperspective
-    uint8_t w_component;               // that holds W of the position; 0xff: there is none
+    uint8_t w_component;               // varying that holds W of the position; 0xff: none
     uint32_t batch;                    // groups that go through the shader together where their order shows
     uint32_t target_count;
 };
@@ -30,7 +30,7 @@ struct shader_c_program {
     const struct rhw_compute_program *compute; // NULL: it draws
     const struct rhw_shader_layout *layout;    // by set and binding, each once
     uint32_t layout_count;
-    const char *const *layout_names; // of the resources, or ""
+    const char *const *layout_names; // names of the resources, or ""
 };
 
 // Return the text of a file. It lies in the memory, through which a program that is refused ends.

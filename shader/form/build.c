@@ -7,8 +7,6 @@
 #include <string.h>
 
 enum {
-    CONSTANT_BUCKETS = 1024,
-    MAX_LOOKED_AT = 32,  // constants of a bucket
     MAX_EFFORT = 1 << 25 // words: a fraction of a second
 };
 
@@ -60,19 +58,7 @@ const struct shader_type *shader_result_type(const struct shader_builder *builde
 
 uint32_t shader_number(struct shader_builder *builder, uint32_t bits)
 {
-    struct shader_program *const program = builder->program;
-    uint32_t *const bucket = &builder->constant_buckets[(bits * 2654435761u) >> 22];
-    uint32_t looked_at = 0;
-    // Constants that were chosen to fall into one bucket are not all compared: equal ones may then be two nodes.
-    for (uint32_t node = *bucket; node != 0 && looked_at < MAX_LOOKED_AT; looked_at++) {
-        if (program->nodes[node - 1].immediate == bits) {
-            return node - 1;
-        }
-        node = program->nodes[node - 1].operands[0];
-    }
-    const uint32_t node = shader_add_node(program, SHADER_CONSTANT, bits, *bucket, 0, 0);
-    *bucket = node + 1;
-    return node;
+    return shader_add_constant(builder->program, bits);
 }
 
 uint32_t shader_number_float(struct shader_builder *builder, float value)
@@ -266,8 +252,7 @@ struct shader_program *shader_build(const struct shader_module *module,
                                 .is_in_interface = shader_take(memory, module->bound, sizeof(bool)),
                                 .label_words = shader_take(memory, module->bound, sizeof(uint32_t)),
                                 .visited = shader_take(memory, module->bound, sizeof(uint32_t)),
-                                .output_homes = shader_take(memory, SHADER_OUT_COUNT, sizeof(uint32_t)),
-                                .constant_buckets = shader_take(memory, CONSTANT_BUCKETS, sizeof(uint32_t))};
+                                .output_homes = shader_take(memory, SHADER_OUT_COUNT, sizeof(uint32_t))};
     memset(builder->output_homes, 0xff, SHADER_OUT_COUNT * sizeof(uint32_t));
     (void)shader_number(builder, 0); // node 0 means that an operand is not there
     find_labels(builder);

@@ -13,7 +13,7 @@ enum shader_place_kind {
     SHADER_PLACE_BUFFER,    // memory of a binding, or of push constants
     SHADER_PLACE_WORKGROUP, // bytes of the workgroup
     SHADER_PLACE_RESOURCE,  // an image or sampler
-    SHADER_PLACE_TEXEL      // of an image, for atomics
+    SHADER_PLACE_TEXEL      // a texel of an image, for atomics
 };
 
 // An index of an access that is known when the shader runs.
@@ -40,7 +40,7 @@ struct shader_place {
     uint32_t row_stride;                // bytes from row to row of a column of such a matrix; 0: 4
     uint32_t resource;                  // number in the program, of what is no element yet
     bool is_array_of_resources;
-    uint32_t coordinates[3]; // of TEXEL, whose image is `buffer`
+    uint32_t coordinates[3]; // where a TEXEL is in its image, `buffer`
     bool is_read_only;       // nothing is stored there
 };
 
@@ -103,7 +103,6 @@ struct shader_builder {
     uint32_t word;   // instruction that is being translated
     struct shader_frame *frame;
     struct shader_construct *constructs;
-    uint32_t *constant_buckets; // hash table of the program's constants
     uint32_t *output_homes;     // by enum shader_output, or SHADER_NO_VALUE
 };
 
@@ -166,8 +165,8 @@ void shader_check_operands(struct shader_builder *builder, uint32_t opcode);
 
 // build_flow.c. Translate a function that has its parameters. Return the homes of what it returns, or NULL.
 uint32_t *shader_build_function(struct shader_builder *builder, const struct shader_function *function);
-// build_arithmetic.c, build_composite.c, build_glsl.c, build_memory.c, build_image.c, build_subgroup.c. Return false where
-// the file does not have the instruction.
+// build_arithmetic.c, build_composite.c, build_glsl.c, build_memory.c, build_image.c, build_subgroup.c. Return false
+// where the file does not have the instruction.
 bool shader_build_arithmetic(struct shader_builder *builder, uint32_t opcode);
 bool shader_build_composite(struct shader_builder *builder, uint32_t opcode);
 void shader_build_glsl(struct shader_builder *builder);

@@ -443,8 +443,8 @@ static uint32_t build_block(struct shader_builder *builder, uint32_t label, uint
         if (opcode == SPIRV_OP_Phi && !may_have_phis) {
             shader_build_refuse(builder, "it stands behind other instructions of its block");
         }
-        may_have_phis = may_have_phis && (opcode == SPIRV_OP_Phi || opcode == SPIRV_OP_Line ||
-                                          opcode == SPIRV_OP_NoLine);
+        may_have_phis =
+            may_have_phis && (opcode == SPIRV_OP_Phi || opcode == SPIRV_OP_Line || opcode == SPIRV_OP_NoLine);
         if (opcode == SPIRV_OP_Label || opcode == SPIRV_OP_FunctionEnd) {
             shader_build_refuse(builder, "block %u has no branch or return at its end", (unsigned)label);
         }

@@ -162,7 +162,8 @@ void shader_build_interface_variable(struct shader_builder *builder, const struc
         return; // another entry point has it
     }
     const struct shader_type *const type = variable->type;
-    if (builder->entry->model == SPIRV_COMPUTE && (variable->storage == SPIRV_OUTPUT || variable->built_in < 0)) {
+    if (builder->entry->model == SPIRV_COMPUTE &&
+        (variable->storage == SPIRV_OUTPUT || variable->built_in < 0)) {
         shader_build_refuse(builder, "compute has no outputs, and no inputs but built-in ones");
     }
     struct interface_walk walk = {builder, variable, shader_new_scalars(builder, type), 0};

@@ -525,7 +525,8 @@ static uint32_t emit_atomic(struct shader_builder *builder, enum shader_atomic o
 static uint32_t atomic_value(struct shader_builder *builder, uint32_t pointer, uint32_t operand)
 {
     const uint32_t id = shader_operand(builder, operand);
-    if (shader_type_of_value(builder, id) != shader_place_of(builder, shader_operand(builder, pointer))->type) {
+    if (shader_type_of_value(builder, id) !=
+        shader_place_of(builder, shader_operand(builder, pointer))->type) {
         shader_build_refuse(builder, "id %u is not of the type of what is pointed to", (unsigned)id);
     }
     return shader_scalars(builder, id)[0];
@@ -540,8 +541,8 @@ static bool build_atomic(struct shader_builder *builder, uint32_t opcode)
         shader_build_refuse(builder, "the result is not of the type of what is pointed to");
     }
     if (opcode == SPIRV_OP_AtomicStore) {
-        (void)emit_atomic(builder, SHADER_ATOMIC_STORE, shader_operand(builder, 1), atomic_value(builder, 1, 4),
-                          0);
+        (void)emit_atomic(builder, SHADER_ATOMIC_STORE, shader_operand(builder, 1),
+                          atomic_value(builder, 1, 4), 0);
         return true;
     }
     if (opcode == SPIRV_OP_AtomicLoad) {

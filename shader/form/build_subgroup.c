@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Subgroups (Vulkan 1.3 §9.27, "Group Operations"; SPIR-V, "Non-Uniform Instructions"). A subgroup is a group of 8 lanes,
-// on every machine. In compute shaders its invocations follow one another by their index in the workgroup. How vertices
-// and fragments come together depends on the machine, so they have but their lane and elect.
+// Subgroups (Vulkan 1.3 §9.27, "Group Operations"; SPIR-V, "Non-Uniform Instructions"). A subgroup is a group of 8
+// lanes, on every machine. In compute shaders its invocations follow one another by their index in the workgroup. How
+// vertices and fragments come together depends on the machine, so they have but their lane and elect.
 #include "build.h"
 
 enum { SUBGROUP_SIZE = 8, SUBGROUP_BITS = 0xff };

@@ -26,12 +26,21 @@ static void find_readers(const struct shader_program *program, struct copies *co
             loop_end[i] = stack[--depth];
         }
     }
+    uint32_t conditions[SHADER_MAX_DEPTH], condition_count = 0;
     depth = 0;
     for (uint32_t i = 0; i < program->code_count; i++) {
         const uint32_t value = program->code[i];
         struct shader_node *const node = &program->nodes[value];
         const enum shader_op op = (enum shader_op)node->op;
         copies->place[value] = i + 1;
+        // ELSE reads the condition again.
+        if (op == SHADER_IF) {
+            conditions[condition_count++] = node->operands[0];
+        } else if (op == SHADER_ELSE && copies->last_read[conditions[condition_count - 1]] < i) {
+            copies->last_read[conditions[condition_count - 1]] = i;
+        } else if (op == SHADER_END_IF) {
+            condition_count--;
+        }
         uint32_t operand_count;
         const uint32_t *const operands = shader_operands(program, node, &operand_count);
         for (uint32_t o = 0; o < operand_count; o++) {
@@ -76,7 +85,7 @@ void shader_forward_copies(struct shader_program *program)
     struct copies copies = {.place = shader_take(memory, program->node_count, sizeof(uint32_t)),
                             .last_read = shader_take(memory, program->node_count, sizeof(uint32_t))};
     uint32_t *const stands_for = shader_take(memory, program->node_count, sizeof *stands_for);
-    shader_find_uses(program, &copies.uses);
+    shader_find_sets(program, &copies.uses);
     find_readers(program, &copies);
     for (uint32_t i = 0; i < program->code_count; i++) {
         const uint32_t value = program->code[i];

@@ -31,7 +31,7 @@ static void mark_operands(const struct shader_program *program, struct marks *ma
 static void mark(const struct shader_program *program, struct marks *marks)
 {
     struct shader_uses uses;
-    shader_find_uses(program, &uses);
+    shader_find_sets(program, &uses);
     for (uint32_t i = 0; i < program->code_count; i++) {
         const uint32_t value = program->code[i];
         const enum shader_op op = (enum shader_op)program->nodes[value].op;

@@ -10,12 +10,12 @@
 // One of the two directions.
 struct direction {
     struct shader_program *program;
-    enum shader_op derivative, analytic, beside; // DDX, INPUT_DX, INPUT_BESIDE, or those of y
-    uint32_t axis;                               // 0: x, 1: y
-    bool *is_needed;                             // by value: at the partner pixel
-    bool *differs;                               // by value: at the partner pixel it may be another
-    uint32_t *partner;                           // by value: its value there, or NONE
-    uint32_t step; // 1 − 2 · (the pixel's number & 1), as a float; NONE: not made yet
+    enum shader_op derivative, beside; // DDX and INPUT_BESIDE, or those of y
+    uint32_t axis;                     // 0: x, 1: y
+    bool *is_needed;                   // by value: at the partner pixel
+    bool *differs;                     // by value: at the partner pixel it may be another
+    uint32_t *partner;                 // by value: its value there, or NONE
+    uint32_t step;                     // 1 − 2 · (the pixel's number & 1), as a float; NONE: not made yet
     uint32_t *code;
     uint32_t count;
     size_t room;
@@ -78,8 +78,7 @@ static void mark_needed(const struct direction *direction, const struct shader_u
     for (uint32_t i = 0; i < program->code_count; i++) {
         const struct shader_node *const node = &program->nodes[program->code[i]];
         const uint32_t operand = node->operands[0];
-        if (node->op == direction->derivative && program->nodes[operand].op != SHADER_INPUT &&
-            direction->differs[operand]) {
+        if (node->op == direction->derivative && direction->differs[operand]) {
             mark_value(&list, operand);
         }
     }
@@ -177,12 +176,6 @@ static void put_derivative(struct direction *direction, uint32_t value, uint32_t
     struct shader_program *const program = direction->program;
     const uint32_t operand = program->nodes[value].operands[0];
     struct shader_node *const node = &program->nodes[value];
-    if (program->nodes[operand].op == SHADER_INPUT) {
-        *node = (struct shader_node){.op = (uint16_t)direction->analytic,
-                                     .immediate = program->nodes[operand].immediate};
-        put(direction, value);
-        return;
-    }
     if (!direction->differs[operand]) {
         *node = (struct shader_node){.op = SHADER_COPY, .operands = {0, 0, 0}}; // constant 0
         put(direction, value);
@@ -207,21 +200,35 @@ static void put_step(struct direction *direction)
     direction->step = add(direction, SHADER_OR, 0, add(direction, SHADER_SHIFT_LEFT, 0, odd, shift), unit);
 }
 
+// Replace derivatives of inputs. Return true if there are others, which are differences.
+static bool derive_inputs(struct shader_program *program, enum shader_op derivative, enum shader_op analytic)
+{
+    bool has_others = false;
+    for (uint32_t i = 0; i < program->code_count; i++) {
+        struct shader_node *const node = &program->nodes[program->code[i]];
+        if (node->op != derivative) {
+            continue;
+        }
+        const struct shader_node *const operand = &program->nodes[node->operands[0]];
+        if (operand->op == SHADER_INPUT) {
+            *node = (struct shader_node){.op = (uint16_t)analytic, .immediate = operand->immediate};
+        } else {
+            has_others = true;
+        }
+    }
+    return has_others;
+}
+
 static void differentiate(struct shader_program *program, enum shader_op derivative, enum shader_op analytic,
                           enum shader_op beside, uint32_t axis)
 {
     const uint32_t nodes = program->node_count, old_count = program->code_count;
     struct shader_memory *const memory = program->memory;
-    bool has_any = false;
-    for (uint32_t i = 0; i < old_count; i++) {
-        has_any = has_any || program->nodes[program->code[i]].op == derivative;
-    }
-    if (!has_any) {
+    if (!derive_inputs(program, derivative, analytic)) {
         return;
     }
     struct direction direction = {.program = program,
                                   .derivative = derivative,
-                                  .analytic = analytic,
                                   .beside = beside,
                                   .axis = axis,
                                   .is_needed = shader_take(memory, nodes, sizeof(bool)),

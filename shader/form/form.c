@@ -2,45 +2,11 @@
 // See form.h.
 #include "form.h"
 
-struct op_description {
-    const char *name;
-    int operands;
-    enum shader_op_kind kind;
-};
-
 #define OP(name, operands, kind) {#name, operands, SHADER_KIND_##kind},
-static const struct op_description descriptions[] = {
+const struct shader_op_description shader_ops[SHADER_OP_COUNT] = {
 #include "op.inc"
 };
 #undef OP
-
-const char *shader_op_name(enum shader_op op)
-{
-    return descriptions[op].name;
-}
-
-int shader_op_operands(enum shader_op op)
-{
-    return descriptions[op].operands;
-}
-
-enum shader_op_kind shader_op_kind_of(enum shader_op op)
-{
-    return descriptions[op].kind;
-}
-
-bool shader_op_has_list(enum shader_op op)
-{
-    return op == SHADER_SAMPLE || op == SHADER_IMAGE_STORE || op == SHADER_ATOMIC ||
-           op == SHADER_IMAGE_ATOMIC;
-}
-
-bool shader_op_has_result(enum shader_op op)
-{
-    const enum shader_op_kind kind = shader_op_kind_of(op);
-    return kind == SHADER_KIND_VALUE || kind == SHADER_KIND_READ || op == SHADER_ATOMIC ||
-           op == SHADER_IMAGE_ATOMIC;
-}
 
 uint32_t shader_add_node(struct shader_program *program, enum shader_op op, uint32_t immediate, uint32_t a,
                          uint32_t b, uint32_t c)
@@ -61,15 +27,24 @@ uint32_t shader_add_node(struct shader_program *program, enum shader_op op, uint
     return program->node_count++;
 }
 
-uint32_t *shader_operands(const struct shader_program *program, struct shader_node *node, uint32_t *count)
+uint32_t shader_add_constant(struct shader_program *program, uint32_t bits)
 {
-    const enum shader_op op = (enum shader_op)node->op;
-    if (shader_op_has_list(op)) {
-        *count = program->lists[node->operands[0]];
-        return &program->lists[node->operands[0] + 1];
+    enum { BUCKETS = 1024, MAX_LOOKED_AT = 32 };
+    if (!program->constant_buckets) {
+        program->constant_buckets = shader_take(program->memory, BUCKETS, sizeof(uint32_t));
     }
-    *count = op == SHADER_LEAVE ? 0 : (uint32_t)shader_op_operands(op);
-    return node->operands;
+    uint32_t *const bucket = &program->constant_buckets[(bits * 2654435761u) >> 22];
+    uint32_t looked_at = 0;
+    // Constants that were chosen to fall into one bucket are not all compared: equal ones may then be two nodes.
+    for (uint32_t node = *bucket; node != 0 && looked_at < MAX_LOOKED_AT; looked_at++) {
+        if (program->nodes[node - 1].immediate == bits) {
+            return node - 1;
+        }
+        node = program->nodes[node - 1].operands[0];
+    }
+    const uint32_t node = shader_add_node(program, SHADER_CONSTANT, bits, *bucket, 0, 0);
+    *bucket = node + 1;
+    return node;
 }
 
 const struct shader_node *shader_resource_node(const struct shader_program *program, uint32_t value)

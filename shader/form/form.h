@@ -87,7 +87,8 @@ struct shader_program {
     struct shader_node *nodes;
     uint32_t node_count;
     size_t node_room;
-    uint32_t *origins; // by node: the word of the instruction that it comes from; 0: of none
+    uint32_t *constant_buckets; // hash table of constants
+    uint32_t *origins;          // by node: the word of the instruction that it comes from; 0: of none
     uint32_t *code;
     uint32_t code_count;
     size_t code_room;
@@ -162,8 +163,8 @@ enum shader_image_operation {
     SHADER_DO_LEVELS,
     SHADER_DO_SAMPLES,
     SHADER_DO_QUERY_LOD,
-    SHADER_DO_LOAD,      // of a storage image or texel buffer
-    SHADER_DO_IMAGE_SIZE // of a storage image or texel buffer
+    SHADER_DO_LOAD,      // a texel of a storage image or texel buffer
+    SHADER_DO_IMAGE_SIZE // size of a storage image or texel buffer
 };
 
 // Fields of the immediate: the operation, spatial coordinates, the channel that is gathered, and which operands there
@@ -205,8 +206,6 @@ enum {
     SHADER_SCAN_CLUSTER_SHIFT = 6
 };
 
-// Return the operands of a node that are values, and how many there are.
-uint32_t *shader_operands(const struct shader_program *program, struct shader_node *node, uint32_t *count);
 // Add a list of values. Return its place.
 uint32_t shader_add_list(struct shader_program *program, const uint32_t *values, uint32_t count);
 
@@ -223,13 +222,57 @@ uint32_t shader_add_node(struct shader_program *program, enum shader_op op, uint
                          uint32_t b, uint32_t c);
 uint32_t shader_add_constant(struct shader_program *program, uint32_t bits);
 
-const char *shader_op_name(enum shader_op op);
-int shader_op_operands(enum shader_op op);
-enum shader_op_kind shader_op_kind_of(enum shader_op op);
+struct shader_op_description {
+    const char *name;
+    int operands;
+    enum shader_op_kind kind;
+};
+
+extern const struct shader_op_description shader_ops[SHADER_OP_COUNT];
+
+static inline const char *shader_op_name(enum shader_op op)
+{
+    return shader_ops[op].name;
+}
+
+static inline int shader_op_operands(enum shader_op op)
+{
+    return shader_ops[op].operands;
+}
+
+static inline enum shader_op_kind shader_op_kind_of(enum shader_op op)
+{
+    return shader_ops[op].kind;
+}
+
 // Return true if operand 0 is the place of a list.
-bool shader_op_has_list(enum shader_op op);
+static inline bool shader_op_has_list(enum shader_op op)
+{
+    return op == SHADER_SAMPLE || op == SHADER_IMAGE_STORE || op == SHADER_ATOMIC ||
+           op == SHADER_IMAGE_ATOMIC;
+}
+
 // Return true if others may read what the operation gives.
-bool shader_op_has_result(enum shader_op op);
+static inline bool shader_op_has_result(enum shader_op op)
+{
+    const enum shader_op_kind kind = shader_op_kind_of(op);
+    return kind == SHADER_KIND_VALUE || kind == SHADER_KIND_READ || op == SHADER_ATOMIC ||
+           op == SHADER_IMAGE_ATOMIC;
+}
+
+// Return the operands of a node that are values, and how many there are. Passes ask for those of every node, so this is
+// a function of the header.
+static inline uint32_t *shader_operands(const struct shader_program *program, struct shader_node *node,
+                                        uint32_t *count)
+{
+    const enum shader_op op = (enum shader_op)node->op;
+    if (shader_op_has_list(op)) {
+        *count = program->lists[node->operands[0]];
+        return &program->lists[node->operands[0] + 1];
+    }
+    *count = op == SHADER_LEAVE ? 0 : (uint32_t)shader_op_operands(op);
+    return node->operands;
+}
 
 // fold.c. Return the value of an operation on constants. Return false where it has no value that is known.
 bool shader_fold(enum shader_op op, const uint32_t operands[3], uint32_t *result);

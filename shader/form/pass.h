@@ -8,6 +8,10 @@
 // keep.c. Give a home to every value that is read behind the IF, REGION or LOOP in which it is computed: lanes that
 // were not active there, or have left a loop before its last round, read what they last computed, or 0.
 void shader_keep_values(struct shader_program *program);
+// simplify.c. Replace operations by others that cost less and have the same bits.
+void shader_simplify(struct shader_program *program);
+// common.c. Compute values once that are computed twice from the same operands.
+void shader_share_values(struct shader_program *program);
 // copies.c. Read homes and values themselves instead of copies that hold the same wherever they are read.
 void shader_forward_copies(struct shader_program *program);
 // dead.c. Take out what nothing reads, and structure that holds nothing.

@@ -107,6 +107,12 @@ static void print_value(const struct printer *printer, uint32_t value, enum shad
     }
 }
 
+void shader_print_value(const struct shader_sink *sink, const struct shader_program *program, uint32_t value,
+                        enum shader_number_style style)
+{
+    print_value(&(struct printer){.sink = sink, .program = program}, value, style);
+}
+
 static void print_operation_name(const struct printer *printer, enum shader_op op)
 {
     char name[32];
@@ -226,6 +232,9 @@ static void print_operation(const struct printer *printer, uint32_t value)
     switch (op) {
     case SHADER_SAMPLE:
     case SHADER_IMAGE_STORE: print_image(printer, value); return;
+    case SHADER_ATOMIC:
+    case SHADER_IMAGE_ATOMIC: shader_print_atomic(printer->sink, printer->program, value); return;
+    case SHADER_SCAN: shader_print_scan(printer->sink, printer->program, value); return;
     case SHADER_LOAD:
     case SHADER_STORE:
         print_operation_name(printer, op);

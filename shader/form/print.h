@@ -25,6 +25,15 @@ void shader_print(const struct shader_sink *sink, const struct shader_program *p
 enum shader_number_style { SHADER_NUMBER_FLOAT, SHADER_NUMBER_INT, SHADER_NUMBER_EITHER };
 void shader_print_number(const struct shader_sink *sink, uint32_t bits, enum shader_number_style style);
 
+// Print a value: a constant in its style, others by their numbers and names.
+void shader_print_value(const struct shader_sink *sink, const struct shader_program *program, uint32_t value,
+                        enum shader_number_style style);
+
+// print_group.c. Print an operation whose lanes work together.
+void shader_print_atomic(const struct shader_sink *sink, const struct shader_program *program,
+                         uint32_t value);
+void shader_print_scan(const struct shader_sink *sink, const struct shader_program *program, uint32_t value);
+
 // print_name.c. Print the name of an input, of a built-in input, of an output, or of a home; with its component.
 void shader_print_input(const struct shader_sink *sink, const struct shader_program *program,
                         uint32_t number);

@@ -88,6 +88,8 @@ void shader_run_passes(struct shader_program *program)
 {
     shader_remove_dead(program); // no derivative is made of what nothing reads
     shader_build_derivatives(program);
+    shader_simplify(program);
+    shader_share_values(program);
     shader_keep_values(program);
     shader_forward_copies(program);
     shader_remove_dead(program);

@@ -13,22 +13,29 @@ static void add_up(uint32_t *counts, uint32_t values)
     }
 }
 
-// Count the uses, or, in a second round, write them down where they begin by then.
-static void walk(const struct shader_program *program, struct shader_uses *uses, bool writes)
+// Count the SETs of homes, or, in a second round, write them down where they begin by then.
+static void walk_sets(const struct shader_program *program, struct shader_uses *uses, bool writes)
+{
+    for (uint32_t i = 0; i < program->code_count; i++) {
+        const struct shader_node *const node = &program->nodes[program->code[i]];
+        if (node->op != SHADER_SET) {
+            continue;
+        }
+        if (writes) {
+            uses->sets[uses->first_set[node->operands[0]]] = i;
+        }
+        uses->first_set[node->operands[0]]++;
+    }
+}
+
+// Count the readers of values, or, in a second round, write them down.
+static void walk_readers(const struct shader_program *program, struct shader_uses *uses, bool writes)
 {
     for (uint32_t i = 0; i < program->code_count; i++) {
         const uint32_t value = program->code[i];
-        struct shader_node *const node = &program->nodes[value];
-        const bool is_set = node->op == SHADER_SET;
         uint32_t count;
-        const uint32_t *const operands = shader_operands(program, node, &count);
-        if (is_set && writes) {
-            uses->sets[uses->first_set[operands[0]]] = i;
-        }
-        if (is_set) {
-            uses->first_set[operands[0]]++;
-        }
-        for (uint32_t o = is_set ? 1 : 0; o < count; o++) {
+        const uint32_t *const operands = shader_operands(program, &program->nodes[value], &count);
+        for (uint32_t o = program->nodes[value].op == SHADER_SET ? 1 : 0; o < count; o++) {
             if (writes) {
                 uses->readers[uses->first_reader[operands[o]]] = value;
             }
@@ -46,18 +53,27 @@ static void move_up(uint32_t *firsts, uint32_t values)
     firsts[0] = 0;
 }
 
+void shader_find_sets(const struct shader_program *program, struct shader_uses *uses)
+{
+    struct shader_memory *const memory = program->memory;
+    const uint32_t values = program->node_count;
+    uses->first_set = shader_take(memory, values + 1, sizeof(uint32_t));
+    walk_sets(program, uses, false);
+    add_up(uses->first_set, values);
+    uses->sets = shader_take(memory, uses->first_set[values], sizeof(uint32_t));
+    walk_sets(program, uses, true);
+    move_up(uses->first_set, values);
+}
+
 void shader_find_uses(const struct shader_program *program, struct shader_uses *uses)
 {
     struct shader_memory *const memory = program->memory;
     const uint32_t values = program->node_count;
+    shader_find_sets(program, uses);
     uses->first_reader = shader_take(memory, values + 1, sizeof(uint32_t));
-    uses->first_set = shader_take(memory, values + 1, sizeof(uint32_t));
-    walk(program, uses, false);
+    walk_readers(program, uses, false);
     add_up(uses->first_reader, values);
-    add_up(uses->first_set, values);
     uses->readers = shader_take(memory, uses->first_reader[values], sizeof(uint32_t));
-    uses->sets = shader_take(memory, uses->first_set[values], sizeof(uint32_t));
-    walk(program, uses, true);
+    walk_readers(program, uses, true);
     move_up(uses->first_reader, values);
-    move_up(uses->first_set, values);
 }

@@ -14,5 +14,7 @@ struct shader_uses {
 // Find the uses of all values in the code. The readers of a home are those of what it holds; a SET reads its value
 // alone.
 void shader_find_uses(const struct shader_program *program, struct shader_uses *uses);
+// Find the SETs of homes alone.
+void shader_find_sets(const struct shader_program *program, struct shader_uses *uses);
 
 #endif

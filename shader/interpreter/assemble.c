@@ -94,6 +94,13 @@ static void read_at(struct assembler *assembler, uint32_t value, uint32_t place,
     extend(range, place);
 }
 
+// All lanes have one condition: the code jumps, and masks stay as they are.
+static bool is_jump(const struct assembler *assembler, uint32_t value)
+{
+    const struct shader_node *const nodes = assembler->program->nodes;
+    return nodes[value].op == SHADER_IF && (nodes[nodes[value].operands[0]].flags & SHADER_UNIFORM);
+}
+
 static void find_ranges(struct assembler *assembler)
 {
     const struct shader_program *const program = assembler->program;
@@ -131,11 +138,11 @@ static void find_ranges(struct assembler *assembler)
         for (uint32_t o = 0; o < operand_count; o++) {
             read_at(assembler, operands[o], i, loops, loop_depth, loop_end);
         }
-        if (opens((uint16_t)op)) { // its masks
+        if (opens((uint16_t)op) && !is_jump(assembler, value)) { // its masks
             extend(&assembler->ranges[value], i);
             extend(&assembler->ranges[value], structure_end[i]);
         }
-        if (op == SHADER_IF) {
+        if (op == SHADER_IF && !is_jump(assembler, value)) {
             // The condition is read again by ELSE.
             read_at(assembler, node->operands[0], structure_end[i], loops, loop_depth, loop_end);
         }
@@ -276,50 +283,107 @@ static void fill_homes(struct assembler *assembler, const uint32_t *first, const
     }
 }
 
-// Where structure that is open begins.
+// Structure that is open.
 struct open_structure {
     uint32_t value;   // node
     uint32_t begin;   // instruction
     uint32_t to_else; // instruction of ELSE, or NONE
+    bool loses_lanes; // lanes leave for what lies around it, or are discarded
+    uint32_t exits;   // last instruction that comes here where no lane is active, plus 1; they form a list
 };
 
-static void add_structure(struct assembler *assembler, uint32_t value, struct open_structure *stack,
-                          uint32_t *depth)
+struct structures {
+    struct open_structure stack[SHADER_MAX_DEPTH + 1]; // the first is the whole shader
+    uint32_t depth;
+};
+
+// Lanes leave all structure inside of `until`, or of the shader.
+static void lose_lanes(struct structures *structures, uint32_t until)
+{
+    for (uint32_t d = structures->depth; d > 0 && structures->stack[d].value != until; d--) {
+        structures->stack[d].loses_lanes = true;
+    }
+}
+
+// Instructions that wait for the place to go to without an active lane go to `at`.
+static void set_exits(struct assembler *assembler, struct open_structure *structure, uint32_t at)
+{
+    while (structure->exits != 0) {
+        struct shader_operand_of *const exit = &assembler->code[structure->exits - 1].c;
+        structure->exits = exit->vector;
+        exit->vector = at & 0x7fffffff;
+    }
+}
+
+static void open_structure(struct assembler *assembler, uint32_t value, struct structures *structures)
 {
     const struct shader_node *const node = &assembler->program->nodes[value];
-    const uint16_t op = node->op;
-    struct shader_instruction *const instruction = add(assembler, op);
-    const uint32_t at = assembler->count - 1;
-    if (op == SHADER_LEAVE) {
-        instruction->result = varying_register(assembler, assembler->mask_registers[node->operands[0]]);
-        return;
-    }
-    if (opens(op)) {
+    const bool jumps = is_jump(assembler, value);
+    struct shader_instruction *const instruction = add(assembler, jumps ? SHADER_JUMP_UNLESS : node->op);
+    if (!jumps) {
         instruction->result = varying_register(assembler, assembler->registers[value]);
-        if (op == SHADER_IF) {
-            instruction->a = operand_of(assembler, node->operands[0]);
-        } else {
-            instruction->b = varying_register(assembler, assembler->mask_registers[value]);
-        }
-        stack[(*depth)++] = (struct open_structure){value, at, NONE};
-        return;
     }
-    struct open_structure *const open = &stack[*depth - 1];
-    const struct shader_node *const begin = &assembler->program->nodes[open->value];
-    instruction->result = varying_register(assembler, assembler->registers[open->value]);
-    if (op == SHADER_ELSE) {
-        instruction->a = operand_of(assembler, begin->operands[0]);
-        assembler->code[open->begin].immediate = at;
-        open->to_else = at;
-        return;
+    if (node->op == SHADER_IF) {
+        instruction->a = operand_of(assembler, node->operands[0]);
+    } else {
+        instruction->b = varying_register(assembler, assembler->mask_registers[value]);
     }
+    structures->stack[++structures->depth] =
+        (struct open_structure){.value = value, .begin = assembler->count - 1, .to_else = NONE};
+}
+
+static void add_else(struct assembler *assembler, struct open_structure *open)
+{
+    const bool jumps = is_jump(assembler, open->value);
+    const uint32_t at = assembler->count;
+    struct shader_instruction *const instruction = add(assembler, jumps ? SHADER_JUMP : SHADER_ELSE);
+    if (!jumps) {
+        instruction->result = varying_register(assembler, assembler->registers[open->value]);
+        instruction->a = operand_of(assembler, assembler->program->nodes[open->value].operands[0]);
+    }
+    assembler->code[open->begin].immediate = jumps ? at + 1 : at;
+    set_exits(assembler, open, at);
+    open->to_else = at;
+}
+
+static void close_structure(struct assembler *assembler, uint16_t op, struct structures *structures)
+{
+    struct open_structure *const open = &structures->stack[structures->depth--];
+    const uint32_t at = assembler->count;
+    set_exits(assembler, open, at);
     if (op == SHADER_END_IF) {
         assembler->code[open->to_else == NONE ? open->begin : open->to_else].immediate = at;
-    } else {
+    }
+    if (is_jump(assembler, open->value)) {
+        return;
+    }
+    struct shader_instruction *const instruction = add(assembler, op);
+    instruction->result = varying_register(assembler, assembler->registers[open->value]);
+    if (op != SHADER_END_IF) {
         instruction->b = varying_register(assembler, assembler->mask_registers[open->value]);
         instruction->immediate = open->begin + 1; // END_LOOP goes back there
     }
-    (*depth)--;
+    if (open->loses_lanes) {
+        struct open_structure *const outer = &structures->stack[structures->depth];
+        instruction->c.vector = outer->exits & 0x7fffffff;
+        outer->exits = at + 1;
+    }
+}
+
+static void add_structure(struct assembler *assembler, uint32_t value, struct structures *structures)
+{
+    const struct shader_node *const node = &assembler->program->nodes[value];
+    if (node->op == SHADER_LEAVE) {
+        struct shader_instruction *const leave = add(assembler, SHADER_LEAVE);
+        leave->result = varying_register(assembler, assembler->mask_registers[node->operands[0]]);
+        lose_lanes(structures, node->operands[0]);
+    } else if (opens(node->op)) {
+        open_structure(assembler, value, structures);
+    } else if (node->op == SHADER_ELSE) {
+        add_else(assembler, &structures->stack[structures->depth]);
+    } else {
+        close_structure(assembler, node->op, structures);
+    }
 }
 
 // Return the resource that a BUFFER node is an element of.
@@ -392,8 +456,7 @@ static void add_node(struct assembler *assembler, uint32_t value)
 static void add_code(struct assembler *assembler)
 {
     const struct shader_program *const program = assembler->program;
-    struct open_structure stack[SHADER_MAX_DEPTH];
-    uint32_t depth = 0;
+    struct structures structures = {.depth = 0};
     uint32_t *const first = shader_take(program->memory, program->code_count + 1, sizeof *first);
     uint32_t *const next = shader_take(program->memory, program->node_count, sizeof *next);
     for (uint32_t value = 0; value < program->node_count; value++) {
@@ -407,11 +470,15 @@ static void add_code(struct assembler *assembler)
         const uint32_t value = program->code[i];
         fill_homes(assembler, first, next, i);
         if (shader_op_kind_of((enum shader_op)program->nodes[value].op) == SHADER_KIND_FLOW) {
-            add_structure(assembler, value, stack, &depth);
+            add_structure(assembler, value, &structures);
         } else if (!assembler->pairs.is_taken[value]) {
             add_node(assembler, value);
+            if (program->nodes[value].op == SHADER_DISCARD) {
+                lose_lanes(&structures, NONE);
+            }
         }
     }
+    set_exits(assembler, &structures.stack[0], assembler->count);
     (void)add(assembler, SHADER_END);
 }
 

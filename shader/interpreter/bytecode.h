@@ -28,11 +28,13 @@ struct shader_operand_of {
 
 // Instructions are those of the form, and these.
 enum shader_extra_op {
-    SHADER_END = 200, // the shader ends
-    SHADER_FILL,      // a register with the immediate
-    SHADER_MUL_ADD,   // a · b + c, of floats and rounded twice, as a product and a sum
-    SHADER_MUL_SUB,   // a · b − c
-    SHADER_SUB_MUL,   // c − a · b
+    SHADER_END = 200,   // the shader ends
+    SHADER_FILL,        // a register with the immediate
+    SHADER_MUL_ADD,     // a · b + c, of floats and rounded twice, as a product and a sum
+    SHADER_MUL_SUB,     // a · b − c
+    SHADER_SUB_MUL,     // c − a · b
+    SHADER_JUMP_UNLESS, // where `a`, which is uniform, is false
+    SHADER_JUMP,
     SHADER_COUNT_OPS
 };
 
@@ -41,7 +43,8 @@ struct shader_instruction {
     uint8_t is_uniform; // one vector is computed
     uint16_t resource;  // what LOAD, STORE and LENGTH access; SHADER_NO_RESOURCE: push constants
     uint32_t immediate; // the node's; structure has the instruction to jump to
-    struct shader_operand_of result, a, b, c;
+    struct shader_operand_of result, a, b,
+        c; // where no lane is active behind an END, it goes to c.vector if that is not 0
 };
 
 // Registers that every program has.

@@ -22,7 +22,7 @@ struct frame {
     const struct shader_bytecode *bytecode;
     const struct rhw_shader_frame *bound;
     const struct rhw_bindings *bindings; // tells whether the program gives the work up
-    uint32_t rounds;                     // that loops have gone
+    uint32_t rounds;                     // rounds of loops until now
     bool is_given_up;
     int groups;
     struct group_range range;    // groups outside of it have no active lane, and arithmetic leaves them out

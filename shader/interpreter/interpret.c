@@ -94,6 +94,8 @@ static shader_kernel *const kernels[SHADER_COUNT_OPS] = {
     ENTRY(END_REGION),
     ENTRY(END_LOOP),
     ENTRY(LEAVE),
+    ENTRY(JUMP_UNLESS),
+    ENTRY(JUMP),
     [SHADER_LOOP] = run_REGION,
     [SHADER_FILL] = run_FILL,
     ENTRY(BUFFER),
@@ -186,7 +188,7 @@ void RHW_ISA_NAME(shader_interpret_fragments)(struct rhw_fragment *groups, int c
     }
 }
 
-void RHW_ISA_NAME(shader_interpret_workgroup)(const struct rhw_workgroup *workgroup)
+void RHW_ISA_NAME(shader_interpret_workgroup)(struct rhw_workgroup *workgroup)
 {
     union vector registers[SHADER_REGISTER_VECTORS];
     rhw_float texels[RHW_MAX_WORKGROUP_GROUPS][4];

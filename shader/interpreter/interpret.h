@@ -9,7 +9,7 @@
 
 void RHW_ISA_NAME(shader_interpret_vertices)(struct rhw_vertex *groups, int count);
 // Groups of a workgroup go through the shader together where it has barriers, so that a barrier needs nothing.
-void RHW_ISA_NAME(shader_interpret_workgroup)(const struct rhw_workgroup *workgroup);
+void RHW_ISA_NAME(shader_interpret_workgroup)(struct rhw_workgroup *workgroup);
 void RHW_ISA_NAME(shader_interpret_fragments)(struct rhw_fragment *groups, int count);
 
 #endif

@@ -4,6 +4,7 @@
 #define SHADER_KERNEL_FLOW_H
 
 #include "frame.h"
+#include "rhw/shader_spirv.h"
 
 static union vector *fixed_register(struct frame *frame, int number)
 {
@@ -73,6 +74,26 @@ static void run_ELSE(struct frame *frame, const struct shader_instruction *in)
     jump_if_none(frame, in);
 }
 
+static void run_JUMP(struct frame *frame, const struct shader_instruction *in)
+{
+    frame->next = frame->bytecode->code + in->immediate;
+}
+
+static void run_JUMP_UNLESS(struct frame *frame, const struct shader_instruction *in)
+{
+    if (frame->registers[in->a.vector].i[0] == 0) {
+        run_JUMP(frame, in);
+    }
+}
+
+// Behind structure that lanes leave for good, go to the end of what lies around it if none is left.
+static void go_on(struct frame *frame, const struct shader_instruction *in)
+{
+    if (!narrow_range(frame) && in->c.vector != 0) {
+        frame->next = frame->bytecode->code + in->c.vector;
+    }
+}
+
 static void run_END_IF(struct frame *frame, const struct shader_instruction *in)
 {
     union vector *const active = fixed_register(frame, SHADER_ACTIVE), *const alive = fixed_register(
@@ -82,7 +103,7 @@ static void run_END_IF(struct frame *frame, const struct shader_instruction *in)
     for (int i = frame->range.first; i < frame->range.end; i++) {
         active[i].i = saved[i].i & alive[i].i;
     }
-    (void)narrow_range(frame);
+    go_on(frame, in);
 }
 
 // REGION and LOOP: `saved` are the lanes that come in, `left` those that have left.
@@ -109,16 +130,13 @@ static void run_END_REGION(struct frame *frame, const struct shader_instruction 
         alive[i].i |= left[i].i;
         active[i].i = saved[i].i & alive[i].i;
     }
-    (void)narrow_range(frame);
+    go_on(frame, in);
 }
 
 // A loop may have no end, so the program is asked now and then whether somebody waits for it.
 static bool is_given_up(struct frame *frame)
 {
-    enum { ROUNDS = 256 };
-    frame->rounds++;
-    frame->is_given_up =
-        frame->is_given_up || (frame->rounds % ROUNDS == 0 && rhw_work_is_given_up(frame->bindings));
+    frame->is_given_up = frame->is_given_up || rhw_spirv_is_given_up(&frame->rounds, frame->bindings);
     return frame->is_given_up;
 }
 

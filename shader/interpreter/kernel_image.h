@@ -4,6 +4,7 @@
 #define SHADER_KERNEL_IMAGE_H
 
 #include "kernel_memory.h"
+#include "rhw/shader_spirv.h"
 
 // The operands of one group.
 struct image_request {
@@ -119,17 +120,6 @@ static rhw_int find_next_image(const struct frame *frame, const struct shader_op
     return same;
 }
 
-// Raise the bias as far as the level of detail is below the least that is asked for.
-static void raise_lod(const struct rhw_binding *binding, rhw_float least, struct image_request *r)
-{
-    rhw_float lod[2];
-    rhw_binding_sample_query_lod(binding, &r->request, lod);
-    const rhw_float bias = r->request.bias ? *r->request.bias : rhw_splat(0.0f);
-    const rhw_int is_below = rhw_less(lod[0], least);
-    r->bias = bias + rhw_select(is_below, rhw_max(least - lod[1], rhw_splat(0.0f)), rhw_splat(0.0f));
-    r->request.bias = &r->bias;
-}
-
 static void fetch_image(const struct rhw_binding *binding, uint32_t flags, struct image_request *r,
                         rhw_int sample, rhw_float texel[4])
 {
@@ -168,7 +158,9 @@ static void access_image(const struct frame *frame, const struct rhw_binding *bi
     struct image_request r;
     read_image_request(frame, operands, flags, group, &r);
     if (flags & SHADER_IMAGE_HAS_LEAST_LOD) {
-        raise_lod(binding, image_float(frame, operands, SHADER_IMAGE_LEAST_LOD, group), &r);
+        r.bias =
+            rhw_spirv_raised_bias(binding, &r.request, image_float(frame, operands, SHADER_IMAGE_LEAST_LOD, group));
+        r.request.bias = &r.bias;
     }
     switch ((enum shader_image_operation)(flags & 15)) {
     case SHADER_DO_SAMPLE: rhw_binding_sample(binding, &r.request, texel); return;

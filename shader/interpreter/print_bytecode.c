@@ -33,7 +33,8 @@ static const struct {
 } extra_ops[SHADER_COUNT_OPS - SHADER_END] = {
     [SHADER_END - SHADER_END] = {"END", 0},         [SHADER_FILL - SHADER_END] = {"FILL", 0},
     [SHADER_MUL_ADD - SHADER_END] = {"MUL_ADD", 3}, [SHADER_MUL_SUB - SHADER_END] = {"MUL_SUB", 3},
-    [SHADER_SUB_MUL - SHADER_END] = {"SUB_MUL", 3},
+    [SHADER_SUB_MUL - SHADER_END] = {"SUB_MUL", 3}, [SHADER_JUMP_UNLESS - SHADER_END] = {"JUMP_UNLESS", 1},
+    [SHADER_JUMP - SHADER_END] = {"JUMP", 0},
 };
 
 static void print_operation_name(const struct printer *printer, uint32_t op)
@@ -75,6 +76,9 @@ static void print_structure(const struct printer *printer, const struct shader_i
     }
     if (op == SHADER_IF || op == SHADER_ELSE || op == SHADER_END_LOOP) {
         shader_sink_print(printer->sink, " to %u", (unsigned)instruction->immediate);
+    }
+    if (instruction->c.vector != 0) {
+        shader_sink_print(printer->sink, ", without lanes to %u", (unsigned)instruction->c.vector);
     }
 }
 
@@ -134,6 +138,13 @@ static void print_instruction(const struct printer *printer, uint32_t number)
         print_register(printer, instruction->result);
         shader_sink_print(printer->sink, " ");
         shader_print_number(printer->sink, instruction->immediate, SHADER_NUMBER_EITHER);
+        return;
+    }
+    if (op == SHADER_JUMP || op == SHADER_JUMP_UNLESS) {
+        if (op == SHADER_JUMP_UNLESS) {
+            print_register(printer, instruction->a);
+        }
+        shader_sink_print(printer->sink, " to %u", (unsigned)instruction->immediate);
         return;
     }
     const enum shader_op_kind kind =

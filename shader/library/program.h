@@ -9,7 +9,7 @@ enum { STAGES = RHW_SHADER_STAGE_COUNT, MAX_TARGETS = RHW_MAX_COLOR_ATTACHMENTS 
 
 struct rhw_shader_program {
     const rhw_shader *shaders[STAGES];
-    struct shader_bytecode bytecode[STAGES]; // of the shaders, with slots and components
+    struct shader_bytecode bytecode[STAGES]; // the shaders' own, with slots and components
     struct shader_slot *slots[STAGES];
     struct shader_stages stages;
     struct rhw_shader_layout *layout; // by set and binding, each once

@@ -137,8 +137,7 @@ enum rhw_result rhw_shader_create(const void *words, size_t size, const struct r
         return RHW_OK;
     }
     const bool is_short = made->memory.is_short;
-    shader_say(message, "%s",
-               is_short ? "out of memory" : made->memory.message);
+    shader_say(message, "%s", is_short ? "out of memory" : made->memory.message);
     shader_release(made);
     return is_short ? RHW_ERROR_OUT_OF_MEMORY : RHW_ERROR_MISUSE;
 }

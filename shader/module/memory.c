@@ -50,14 +50,12 @@ static struct shader_block *add_block(struct shader_memory *memory, size_t least
     if (size > memory->left) {
         end_at_bound(memory);
     }
-    struct shader_block *const block =
-        malloc((sizeof *block + size + ALIGNMENT - 1) / ALIGNMENT * ALIGNMENT);
+    struct shader_block *const block = calloc((sizeof *block + size + ALIGNMENT - 1) / ALIGNMENT, ALIGNMENT);
     if (!block) {
         memory->is_short = true;
         shader_memory_end(memory);
     }
     memory->left -= size;
-    memset(block, 0, sizeof *block + size);
     block->size = size;
     block->next = memory->blocks;
     memory->blocks = block;

@@ -14,7 +14,7 @@ struct shader_memory {
     struct shader_block *blocks;
     size_t bound, left; // bytes that may be taken, and that still may
     bool is_short;      // the machine has no memory
-    jmp_buf end; // where shader_memory_end goes
+    jmp_buf end;        // where shader_memory_end goes
     char message[SHADER_MESSAGE];
 };
 

@@ -213,16 +213,15 @@ static void check_kinds(const struct operation *operation, uint32_t opcode, cons
         shader_refuse(operation->module, operation->word, "Op%s has %u operands",
                       shader_instruction_name(opcode), (unsigned)operands_of(opcode));
     }
-    if (opcode != SPIRV_OP_Select && opcode != SPIRV_OP_CopyObject && is_bool != (is_logical || is_comparison)) {
+    if (opcode != SPIRV_OP_Select && opcode != SPIRV_OP_CopyObject &&
+        is_bool != (is_logical || is_comparison)) {
         shader_refuse(operation->module, operation->word, "Op%s gives %s", shader_instruction_name(opcode),
                       is_bool ? "no bool" : "a bool");
     }
     for (uint32_t i = 0; i < operation->count; i++) {
         const struct shader_type *const type = operand(operation, i)->type;
         const bool is_one = (type->kind == SHADER_VECTOR ? type->element : type)->kind == SHADER_BOOL;
-        const bool asks = opcode == SPIRV_OP_Select && i == 0 ? true
-                          : is_comparison                     ? false
-                                                              : is_bool;
+        const bool asks = opcode == SPIRV_OP_Select && i == 0 ? true : is_comparison ? false : is_bool;
         if (is_one != asks) {
             shader_refuse(operation->module, operation->word, "operand %u is of a type that does not fit",
                           (unsigned)i);

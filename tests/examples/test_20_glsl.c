@@ -206,11 +206,12 @@ static void glsl_draws_what_c_draws(void **state)
     static float by_glsl[PIXELS * PIXELS][4], by_c[PIXELS * PIXELS][4];
     rhw_context *context = picture_context();
     const rhw_texture target = picture_target(context, RHW_FORMAT_RGBA32_FLOAT, PIXELS, PIXELS, 1);
-    const struct rhw_program program = {.vertex1 = place_vertex,
-                                        .fragment1 = paint_fragment,
-                                        .varyings = {{.components = 3, .derivatives = true}, {.components = 3}},
-                                        .varying_count = 2,
-                                        .uniform_size = sizeof(struct stuff)};
+    const struct rhw_program program = {
+        .vertex1 = place_vertex,
+        .fragment1 = paint_fragment,
+        .varyings = {{.components = 3, .derivatives = true}, {.components = 3}},
+        .varying_count = 2,
+        .uniform_size = sizeof(struct stuff)};
     for (int number = 0; number < STUFFS; number++) {
         struct stuff stuff = {.number = number};
         fill_scene(&stuff.scene);

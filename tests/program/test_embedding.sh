@@ -161,6 +161,17 @@ check "the last frame: $(cat drawn)" test "$(cat drawn)" = "640 x 480 f465748b79
 refuse 'usage: window' make/window --frames none
 refuse '^window: ' env SDL_VIDEODRIVER=absent make/window --frames 1
 
+# Shaders from files, of texts that glslangValidator compiles; and files that are none.
+if command -v glslangValidator >/dev/null 2>&1; then
+    check "a vertex shader" glslangValidator -V --quiet -o vert.spv make/screen.vert
+    check "a fragment shader" glslangValidator -V --quiet -o frag.spv "$root/examples/disc.frag"
+    check "glsl draws" sh -c "make/glsl vert.spv frag.spv | grep -qx 89ea6ada19e175a5"
+    check "the size of its picture" test "$(wc -c <glsl.ppm)" = $((15 + 512 * 512 * 3))
+    refuse '^frag.spv: the module has no vertex entry point' make/glsl frag.spv frag.spv
+    refuse '^absent: cannot be opened$' make/glsl absent frag.spv
+    rm glsl.ppm
+fi
+
 check "the size of a mesh's picture" test "$(wc -c <mesh.ppm)" = $((15 + 640 * 360 * 3))
 rm mesh.ppm
 

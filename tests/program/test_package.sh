@@ -111,6 +111,10 @@ if [ -x "$usr/bin/rhw" ]; then
     check "it has no debugging symbols" sh -c "file -L $usr/bin/rhw | grep -q ', stripped'"
 fi
 
+if [ -x "$usr/bin/rhw" ] && grep -q '^RHW_LIBRARY_SPIRV:FILEPATH=/' "$build/CMakeCache.txt"; then
+    has rhw share/doc/rhw/copyright.glslang-dev share/doc/rhw/copyright.spirv-tools
+fi
+
 if [ -x "$usr/bin/rhw-view" ]; then
     says rhw-view Section '^graphics$'
     says rhw-view Depends 'libsdl2-2.0-0'

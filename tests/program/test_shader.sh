@@ -19,7 +19,7 @@ GLSL
 "$rhw" shader double.comp >"$folder/log/out" 2>"$folder/log/err"
 if grep -q "built without glslang" "$folder/log/err"; then
     refuse 1 "double.comp: this rhw was built without glslang, so it reads SPIR-V alone" shader double.comp
-    refuse 2 "double.txt: a shader's file is named .vert, .frag, .comp \(GLSL\) or .spv" shader double.txt
+    refuse 1 "double.txt: a shader's file is named .vert, .frag, .comp \(GLSL\) or .spv" shader double.txt
     finish
 fi
 
@@ -27,9 +27,9 @@ fi
 cat >want <<'TEXT'
 double.comp: compute shader main
 resources, by set and binding
-  0:1   storage buffer, read only, Source, 0 bytes
+  0:1   storage buffer, read only, Source, 0 bytes and an array of any length
          0  float[]      source
-  0:2   storage buffer Sink, 0 bytes
+  0:2   storage buffer Sink, 0 bytes and an array of any length
          0  float[]      sink
 push constants, 4 bytes
          0  float        shift
@@ -63,12 +63,18 @@ check "no operation is uniform before passes" sh -c "! grep -q '^u' '$folder/log
 succeed shader --print bytecode double.comp
 check "bytecode" grep -Eq "^ +[0-9]+  end *$" "$folder/log/out"
 
+
+# A program as C.
+succeed shader double.spv -o twice.c
+check "names of C" grep -q "^const struct rhw_compute_program twice_program" twice.c
+refuse 1 "2.c: its name without .c begins the names of the program" shader double.spv -o 2.c
+
 # What it computes.
 succeed shader double.comp --run --buffer 0:1=f32:1,2,3,4.5 --buffer 0:2=20 --push f32:0.25 --result 0:2=f32
 check "numbers" test "$(cat "$folder/log/out")" = "2.25,4.25,6.25,9.25,0.25"
 succeed shader double.spv --run --buffer 0:1=f32:1,2,3,4.5 --buffer 0:2=20 --result 0:2=f32 --constant 3=3 --constant 4=10
 check "constants" test "$(cat "$folder/log/out")" = "13,16,19,23.5,10"
-succeed shader double.comp --run --buffer 0:1=f32:1 --buffer 0:2=8 --result 0:2=sink.bin --result 0:2=u32
+succeed shader double.spv --run --buffer Source=f32:1 --buffer Sink=8 --result Sink=sink.bin --result 0:2=u32
 check "bits" test "$(cat "$folder/log/out")" = "1073741824,0"
 check "a file" test "$(od -A n -t f4 sink.bin | tr -d ' ')" = 20
 succeed shader double.comp --run --buffer 0:1=sink.bin --buffer 0:2=80 --result 0:2=f32 --groups 2
@@ -92,7 +98,7 @@ void main()
 }
 GLSL
 printf 'P6 2 2 255\n\310\000\000\000\310\000\000\000\310\310\310\310' >four.ppm
-succeed shader paint.frag -D TONE=0.5 -I library --run --size 2x2 --time 0 --texture 0:0=four.ppm -o paint.png
+succeed shader paint.frag -D TONE=0.5 -I library --run --size 2x2 --time 0 --texture picture=four.ppm -o paint.png
 printf 'P6 2 2 255\n\000\000\000\000\144\000\000\000\000\144\144\144' >want.ppm
 succeed compare paint.png want.ppm
 no_temporary_files
@@ -113,11 +119,20 @@ check "both tables" test "$(grep -c '^red.*shader main$' "$folder/log/out")" = 2
 
 printf 'layout(location = 0) out vec4 c;\nvoid main() { c = vec4(1); }\n' >flat.frag
 
+succeed shader red.vert red.frag -o red.c
+check "a program of two shaders" grep -q "red.vert and red.frag" red.c
+succeed shader flat.frag -o flat.c
+check "a program that covers the picture" grep -q "^const struct rhw_program flat_program" flat.c
+
 # What is wrong is told in one line, and nothing is written.
 printf 'void main()\n{\n    foo = 1;\n    bar();\n}\n' >wrong.frag
 refuse 1 "wrong.frag:3: 'foo' : undeclared identifier$" shader wrong.frag -o wrong.spv
 run shader --all-errors wrong.frag
 check "all errors" grep -q "^rhw: wrong.frag:4: 'bar' : no matching overloaded function found$" "$folder/log/err"
+printf '#extension GL_none : enable\nvoid main() {}\n' >warned.frag
+run shader warned.frag
+check "a warning" test "$status:$(cat "$folder/log/err")" = "0:rhw: warned.frag:1: warning: '#extension' : extension not supported: GL_none"
+refuse 1 "warned.frag:1: warning: '#extension' : extension not supported: GL_none" shader --strict warned.frag
 refuse 1 "paint.frag:1: '#include' : there is no such file for header name: tone.glsl" shader paint.frag -D TONE=1
 refuse 1 "paint.frag:5: 'non-opaque uniforms outside a block'" shader paint.frag -D TONE=1 -I library
 succeed shader paint.frag -D TONE=1 -I library --relaxed
@@ -142,8 +157,10 @@ refuse 1 "kernel.spv: word 5, OpCapability: capability 6 is not supported" shade
 refuse 1 "double.spv: the module has no compute entry point \"other\"|double.spv: the module has no .* entry point" shader double.spv --entry other
 succeed shader flat.frag -o red.spv
 refuse 1 "--run: buffer 0:1 has no length of its own; --buffer 0:1=BYTES" shader double.spv --run --result 0:2=f32
-refuse 1 "--buffer: '0:7=4': no shader here uses a buffer 0:7" shader double.spv --run --buffer 0:7=4 --buffer 0:1=4 \
+refuse 1 "--buffer: '0:7=4': no shader here uses such a buffer" shader double.spv --run --buffer 0:7=4 --buffer 0:1=4 \
     --buffer 0:2=4 --result 0:2=f32
+refuse 1 "--texture: 'Sink=four.ppm': no shader here uses such a texture" shader double.spv --run --buffer 0:1=4 \
+    --buffer 0:2=4 --texture Sink=four.ppm --result 0:2=f32
 refuse 1 "--constant: '9=1': double.spv has no constant 9" shader double.spv --constant 9=1
 refuse 1 "--constant: '4=0.5': constant 4 of double.spv is a whole number" shader double.spv --constant 4=0.5
 refuse 1 "--push: no shader here has push constants" shader red.spv --run --push u32:1 -o a.png
@@ -156,16 +173,16 @@ refuse 2 "--run: of a compute shader needs --result" shader double.spv --run
 refuse 2 "--run: of a fragment shader needs -o" shader red.spv --run
 refuse 2 "red.vert: a vertex shader runs with a fragment shader beside it" shader red.vert --run -o a.png
 refuse 2 "a.png: a compute shader has no picture" shader double.spv --run --result 0:2=f32 -o a.png
-refuse 2 "a.png: SPIR-V is named .spv; a picture, .png, is drawn with --run" shader red.frag -o a.png
+refuse 2 "a.png: SPIR-V is named .spv, and C .c; a picture, .png, is drawn with --run" shader red.frag -o a.png
 refuse 2 "a.spv: a picture of --run is named .png" shader red.frag --run -o a.spv
-refuse 2 "a.spv: takes one FILE" shader red.vert red.frag -o a.spv
+refuse 2 "a.spv: SPIR-V is written of one FILE" shader red.vert red.frag -o a.spv
 refuse 2 "--print: 'glsl' is not info, spirv, ir or bytecode" shader red.frag --print glsl
 refuse 2 "--json: goes with --print info alone" shader red.frag --json --print ir
 refuse 2 "--after: goes with --print ir alone" shader red.frag --after build
 refuse 2 "--time: goes with --run alone" shader red.frag --time 1
 refuse 2 "--run: prints results alone" shader double.spv --run --json --result 0:2=f32
 refuse 2 "--constant: '3' is not ID=NUMBER" shader double.comp --constant 3
-refuse 2 "--buffer: '1=4' is not SET:BINDING=VALUE, with a SET of 0 to 7" shader double.spv --run --buffer 1=4
+refuse 2 "--buffer: '1=4' is not SET:BINDING=VALUE, with a SET of 0 to 7, and not NAME=VALUE" shader double.spv --run --buffer 1=4
 refuse 2 "--result: '8:1=f32' is not SET:BINDING=VALUE" shader double.spv --run --result 8:1=f32
 refuse 2 "--groups: '1,2,3,4' is not X,Y,Z, each 0 to 65535" shader double.spv --run --groups 1,2,3,4
 refuse 2 "--threads: '0' is not a number of 1 to 64" shader red.frag --run --threads 0

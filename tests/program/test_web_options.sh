@@ -6,9 +6,10 @@
 words=$root/web/npm/words.js
 types=$root/web/npm/index.d.ts
 
-# Options that are none there: of files, pictures in a row and what is measured; a process of its own; a panorama's file.
+# Options that are none there: of files, pictures in a row and what is measured; a process of its own; a panorama's file;
+# shaders, whose translation the module does not have.
 left_out="out literal output bits format quality print-camera views animate turntable isa paths stats quiet max-memory max-time
-    confine environment environment-rotation help"
+    confine environment environment-rotation fragment-shader fragment-shader-template help"
 
 succeed render --help
 options=$(grep -oE '^  (-.,|   ) --[a-z-]+' "$folder/log/out" | grep -oE -- '[a-z][a-z-]+$')

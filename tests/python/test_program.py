@@ -3,6 +3,7 @@
 
 import gc
 import pathlib
+import signal
 
 import numpy as np
 import pytest
@@ -272,6 +273,8 @@ layout(location = 0) out vec4 color; void main() { color = texture(image, vec2(0
     (lambda: one({"position": CORNERS}, [[0, 1, 3]]), ValueError, "faces: must lie between 0 and 2"),
     (lambda: one({"position": CORNERS}, instances=0), ValueError, "instances: must lie between 1 and"),
     (lambda: one({"position": CORNERS}, matrix=np.eye(4)), ValueError, "matrix: a program takes it from values"),
+    (lambda: one({"position": CORNERS}, color=(1, 0, 0, 1)), ValueError, "color: a program takes it from values"),
+    (lambda: one({"position": CORNERS}, object=3), ValueError, "object: a program takes it from values"),
     (lambda: one({"position": CORNERS}, values={"time": 1}), ValueError, "values: the program has no 'time'; its values are none"),
     (lambda: one({"position": CORNERS}, values=3), TypeError, "values: must be a dictionary, not 3"),
     (lambda: one({"position": CORNERS}, of=sampling), ValueError, "image: missing"),
@@ -328,3 +331,19 @@ def test_nothing_is_computed_within_a_pass():
         with pytest.raises(ValueError, match="pass"):
             scaled()
     scaled()
+
+
+def test_a_shader_that_never_ends_is_given_up():
+    program = Program(compute="layout(binding = 0) buffer D { uint d[]; }; void main() { while (d[0] == 0u) { d[1] += 1u; } }")
+
+    def ring(*_):
+        raise TimeoutError
+
+    before = signal.signal(signal.SIGALRM, ring)
+    signal.setitimer(signal.ITIMER_REAL, 0.1)
+    try:
+        with pytest.raises(TimeoutError):
+            program.dispatch(1, {"D": np.zeros(2, np.uint32)})
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
+        signal.signal(signal.SIGALRM, before)

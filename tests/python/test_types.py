@@ -25,6 +25,10 @@ color: NDArray[Any] = picture["color"]
 context = dr.RasterizeContext()
 rast, slopes = dr.rasterize(context, torch.zeros(1, 3, 4), torch.zeros(1, 3, dtype=torch.int32), [64, 64])
 smooth: torch.Tensor = dr.antialias(rast, rast, torch.zeros(1, 3, 4), torch.zeros(1, 3, dtype=torch.int32))
+program = rhw.pipeline.Program(vertex="void main() {}", constants={3: 0.5})
+target = {"color": rhw.pipeline.Texture(64)}
+with rhw.pipeline.Pass(target) as draw:
+    draw(rhw.pipeline.Pipeline(target, program=program), {"position": np.zeros((3, 3))}, None, {"time": 1, (0, 1): target["color"]})
 pixels, _ = rhw.diff.rasterize(np.zeros((1, 3, 4)), np.zeros((1, 3)), [64, 64])
 """
 

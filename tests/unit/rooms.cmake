@@ -68,6 +68,7 @@ function(rhw_add_emitted target)
       COMMAND ${RHW_GLSLANG} -V --quiet --target-env vulkan1.1 -o ${folder}/${file}.spv ${text})
     set(modules)
     if(file MATCHES "\\.comp$")
+      set(name ${name}_comp) # a fragment shader may have the same name
       set(modules ${folder}/${file}.spv)
     elseif(file MATCHES "\\.frag$" AND EXISTS ${RHW_UNIT_FOLDER}/spirv/glsl/${name}.vert)
       set(modules ${folder}/${name}.vert.spv ${folder}/${file}.spv)

@@ -122,6 +122,10 @@ static bool check(const struct question *q, const struct cli_render_job *job)
         cli_error("--output", "cannot be explained");
         return false;
     }
+    if (job->fragment_shader) {
+        cli_error("--fragment-shader", "cannot be explained");
+        return false;
+    }
     if (strcmp(job->out, "-") != 0) {
         cli_error("--out", "explain writes no picture; --picture FILE.svg draws the triangle");
         return false;
@@ -164,7 +168,7 @@ int cli_explain(int argc, char **argv)
             status = CLI_FAILED;
         }
         cli_render_forget_model(&render);
-        free(render.panorama.texels);
+        cli_render_release(&render);
     }
     free(words);
     return status;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // rhw render: model file in, picture files out. This file is the order of things; what the command line
 // means stands in render_options.c, what becomes of an output in outputs.c.
+#include "fragment_shader.h"
 #include "options.h"
 #include "render_camera.h"
 #include "render_state.h"
@@ -164,7 +165,20 @@ bool cli_render_prepare(struct render *render)
         return false;
     }
     cli_budget_apply(&job->budget, job->model_count > 1 ? "render" : job->model_paths[0]);
+    if (job->fragment_shader) {
+        render->shader = cli_fragment_shader_open(job->fragment_shader);
+        render->program = render->shader ? rhw_shader_program_get(render->shader) : NULL;
+        if (!render->program) {
+            return false;
+        }
+    }
     return !job->environment || cli_panorama_load(&render->panorama, job->environment);
+}
+
+void cli_render_release(struct render *render)
+{
+    rhw_shader_program_destroy(render->shader);
+    free(render->panorama.texels);
 }
 
 int cli_render(int argc, char **argv)
@@ -172,10 +186,14 @@ int cli_render(int argc, char **argv)
     struct render render = {0};
     int status;
     if (!cli_render_job_parse(&render.job, NULL, argc, argv, &status)) {
+        if (render.job.wants_template && status == CLI_OK) {
+            fputs(cli_fragment_shader_template, stdout);
+        }
         return status;
     }
     render.job.offers_time = !render.job.thumb_mark;
     if (!cli_render_prepare(&render)) {
+        cli_render_release(&render);
         return CLI_FAILED;
     }
     status = CLI_OK;
@@ -183,6 +201,6 @@ int cli_render(int argc, char **argv)
         const int each = render_model(&render, render.job.model_paths[i]); // a failure keeps no other from it
         status = each == CLI_OK ? status : each;
     }
-    free(render.panorama.texels);
+    cli_render_release(&render);
     return status;
 }

@@ -76,6 +76,10 @@ bool cli_render_set_view(struct render *render)
     const struct cli_render_job *job = &render->job;
     struct scene_view *view = &render->view;
     char error[256];
+    if (job->fragment_shader && !render->program) {
+        cli_error("--fragment-shader", "is for rhw render alone");
+        return false;
+    }
     *view = scene_view_default(render->model);
     view->width = job->width;
     view->height = job->height;
@@ -94,6 +98,7 @@ bool cli_render_set_view(struct render *render)
     view->panorama_rotation = (double)job->environment_rotation;
     view->tone = job->tone;
     view->transparency = job->transparency;
+    view->program = render->program;
     view->up = job->has_up ? job->up : render->model->up;
     view->exposure = (double)job->exposure;
     view->outputs = cli_outputs_needed(job->kinds, job->format, job->bits);

@@ -68,7 +68,9 @@ struct cli_render_job {
     bool stats;
     const char *stats_path; ///< "-": standard output
     struct cli_budget budget;
-    bool strict; ///< what the file has and is not drawn is an error
+    bool strict;                 ///< what the file has and is not drawn is an error
+    const char *fragment_shader; ///< a file that shades instead of materials; NULL: none
+    bool wants_template;         ///< of such a file, and nothing else
 };
 
 enum { CLI_AXES = SCENE_AXIS_MINUS_X + 1 };

@@ -42,6 +42,8 @@ enum {
     OPTION_STATS,
     OPTION_LITERAL,
     OPTION_THUMB_MARK,
+    OPTION_FRAGMENT_SHADER,
+    OPTION_FRAGMENT_TEMPLATE,
     OPTION_STRICT
 };
 
@@ -118,6 +120,10 @@ static const struct cli_option options[] = {
      "sample by "
      "their depth there, which takes a pass for each layer)"},
     {"exposure", CLI_LOOK_EXPOSURE, "STOPS", "brighter by this many factors of two; -20..20"},
+    {"fragment-shader", OPTION_FRAGMENT_SHADER, "FILE",
+     "let a shader of your own, .frag (GLSL) or .spv (SPIR-V), shade the model instead of its materials"},
+    {"fragment-shader-template", OPTION_FRAGMENT_TEMPLATE, NULL,
+     "print such a shader, with all that it may read, to begin with"},
     {"threads", OPTION_THREADS, "N",
      "threads to use, 1..64; default: one for each core that the process may\nuse. The picture is the same"},
     {"isa", OPTION_ISA, "NAME",
@@ -438,6 +444,8 @@ static bool parse_option(struct cli_render_job *job, int id, const char *argumen
     case OPTION_OUT: job->out = argument; return true;
     case OPTION_QUIET: job->quiet = true; return true;
     case OPTION_STRICT: job->strict = true; return true;
+    case OPTION_FRAGMENT_SHADER: job->fragment_shader = argument; return true;
+    case OPTION_FRAGMENT_TEMPLATE: job->wants_template = true; return true;
     case OPTION_VARIANT: job->variant = argument; return true;
     case OPTION_STATS:
         job->stats = true;
@@ -527,6 +535,13 @@ bool cli_render_job_parse(struct cli_render_job *job, const struct cli_render_as
     }
     if (id == CLI_OPTION_STOP) {
         *status = parser.status;
+        return false;
+    }
+    if (job->wants_template) {
+        if (asked) {
+            cli_error("--fragment-shader-template", "is an option of rhw render");
+        }
+        *status = asked ? CLI_USAGE : CLI_OK;
         return false;
     }
     if (!cli_parser_operands(&parser, 1, asked ? 1 : argc)) {

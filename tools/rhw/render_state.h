@@ -17,7 +17,9 @@ struct render {
     bool (*goes_on)(void *user);
     void *user;
     struct scene_model *model;
-    struct scene_panorama panorama; // with job.environment
+    struct scene_panorama panorama;    // with job.environment
+    struct rhw_shader_program *shader; // with job.fragment_shader
+    const struct rhw_program *program; // that is in it
     rhw_context *context;
     struct scene *scene;
     struct scene_view view;
@@ -37,6 +39,8 @@ double cli_milliseconds(void);
 
 /// Asks the machine for what the job wants. Reports failure.
 bool cli_render_prepare(struct render *render);
+/// Gives that back, when its models are forgotten.
+void cli_render_release(struct render *render);
 /// Reads the model and sets the view; a cli_status. Nothing is uploaded yet.
 int cli_render_open(struct render *render, const char *path);
 /// The first half of it: standard input to its end, where the path is "-". Reports failure.

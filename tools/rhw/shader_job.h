@@ -20,10 +20,11 @@ enum cli_shader_print {
     CLI_SHADER_BYTECODE
 };
 
-/// What an option says about a binding, "SET:BINDING=VALUE".
+/// What an option says about a resource, "SET:BINDING=VALUE" or "NAME=VALUE".
 struct cli_shader_binding {
     const char *option;   ///< for messages, "--buffer"
     const char *argument; ///< as it was given
+    char name[64];        ///< "" where there are numbers
     uint32_t set, binding;
     const char *value;
     bool is_used;
@@ -45,7 +46,7 @@ struct cli_shader_constant {
 struct cli_shader_job {
     const char *out; ///< NULL: none
     enum cli_shader_print print;
-    bool is_relaxed, has_step, is_before_passes, json, all_errors, runs;
+    bool is_strict, is_relaxed, has_step, is_before_passes, json, all_errors, runs;
     const char *entry_point; ///< NULL: "main", or the only one
     struct glsl_macro macros[CLI_SHADER_LIST];
     int macro_count;
@@ -82,13 +83,26 @@ extern const char *const cli_shader_stage_names[RHW_SHADER_STAGE_COUNT];
 // closed in either case.
 bool cli_shader_file_open(struct cli_shader_file *file, const char *path, struct cli_shader_job *job);
 void cli_shader_file_close(struct cli_shader_file *file);
+/// Write a file. Report failure.
+bool cli_shader_write_bytes(const char *path, const void *bytes, size_t size);
 struct rhw_shader_def cli_shader_file_def(const struct cli_shader_file *file);
 /// Read all bytes of a file, by malloc, with a 0 behind them. Report what is wrong; `most` is the largest size.
 char *cli_shader_read(const char *path, size_t most, size_t *size);
 
+// shader_link.c. Link the shaders of files, a fragment shader alone with one that covers the picture if it
+// `needs_program`; else *linked is NULL. Report what does not fit.
+bool cli_shader_link(const struct cli_shader_file *files, int count, bool needs_program,
+                     rhw_shader_program **linked);
+
 // shader_table.c. Print what shaders are.
 void cli_shader_print_table(const struct cli_shader_file *file);
+/// Return false for a block that ends with an array without length.
+bool cli_shader_has_length(const struct rhw_shader_type *type);
 void cli_shader_print_json(const struct cli_shader_file *files, int count);
+
+/// Return whether an option is about a resource.
+bool cli_shader_binding_is(const struct cli_shader_binding *binding,
+                           const struct rhw_shader_resource *resource);
 
 // shader_run.c. Report what the command line lacks to run such shaders.
 bool cli_shader_check_run(const struct cli_shader_job *job, const struct cli_shader_file *files, int count);

@@ -14,13 +14,20 @@
 
 // Options --------------------------------------------------------------------------------------------
 
+bool cli_shader_binding_is(const struct cli_shader_binding *binding,
+                           const struct rhw_shader_resource *resource)
+{
+    return binding->name[0] ? strcmp(binding->name, resource->name) == 0
+                            : binding->set == resource->set && binding->binding == resource->binding;
+}
+
 static struct cli_shader_binding *find_binding(struct cli_shader_bindings *bindings,
                                                const struct rhw_shader_resource *what)
 {
     struct cli_shader_binding *found = NULL;
     for (int i = 0; i < bindings->count; i++) {
         struct cli_shader_binding *const one = &bindings->list[i];
-        if (one->set == what->set && one->binding == what->binding) {
+        if (cli_shader_binding_is(one, what)) {
             one->is_used = true;
             found = one;
         }
@@ -33,8 +40,7 @@ static bool check_used(const struct cli_shader_bindings *bindings, const char *k
     for (int i = 0; i < bindings->count; i++) {
         const struct cli_shader_binding *const one = &bindings->list[i];
         if (!one->is_used) {
-            cli_error(one->option, "'%s': no shader here uses a %s %u:%u", one->argument, kind,
-                      (unsigned)one->set, (unsigned)one->binding);
+            cli_error(one->option, "'%s': no shader here uses such a %s", one->argument, kind);
             return false;
         }
     }
@@ -76,13 +82,6 @@ static void set_members(const struct rhw_shader_type *type, const struct cli_sha
     }
 }
 
-static bool has_length(const struct rhw_shader_type *type)
-{
-    const struct rhw_shader_type *const last =
-        type && type->count > 0 ? type->members[type->count - 1].type : NULL;
-    return !last || last->kind != RHW_SHADER_ARRAY || last->count > 0;
-}
-
 static bool open_buffer(struct cli_shader_resource *resource, struct cli_shader_job *job)
 {
     const struct rhw_shader_resource *const what = resource->what;
@@ -92,7 +91,7 @@ static bool open_buffer(struct cli_shader_resource *resource, struct cli_shader_
         return cli_shader_values_read("--buffer", given->argument, given->value, &resource->memory,
                                       &resource->size);
     }
-    if (!has_length(what->type)) {
+    if (!cli_shader_has_length(what->type)) {
         cli_error("--run", "buffer %u:%u has no length of its own; --buffer %u:%u=BYTES gives it one",
                   (unsigned)what->set, (unsigned)what->binding, (unsigned)what->set, (unsigned)what->binding);
         return false;
@@ -367,26 +366,12 @@ bool cli_shader_write_picture(rhw_context *context, rhw_texture texture, int wid
     return written;
 }
 
-static bool write_bytes(const char *path, const void *bytes, size_t size)
-{
-    struct cli_output_file file;
-    if (!cli_output_file_open(&file, path)) {
-        return false;
-    }
-    fwrite(bytes, 1, size, file.stream);
-    const bool written = cli_output_file_finish(&file) && cli_output_file_commit(&file);
-    if (!written) {
-        cli_output_file_discard(&file);
-    }
-    return written;
-}
-
 static bool give(const struct cli_shader_resources *resources, const struct cli_shader_resource *resource,
                  const struct cli_shader_binding *asked)
 {
     if (is_buffer(resource->what)) {
         return cli_shader_values_print(asked->value, resource->memory, resource->size) ||
-               write_bytes(asked->value, resource->memory, resource->size);
+               cli_shader_write_bytes(asked->value, resource->memory, resource->size);
     }
     const size_t length = strlen(asked->value);
     if (length < 5 || strcasecmp(asked->value + length - 4, ".png") != 0) {
@@ -402,8 +387,7 @@ bool cli_shader_resources_give(const struct cli_shader_resources *resources, con
     for (int i = 0; i < job->results.count; i++) {
         const struct cli_shader_binding *const asked = &job->results.list[i];
         for (int r = 0; r < resources->count; r++) {
-            const struct rhw_shader_resource *const what = resources->list[r].what;
-            if (what->set == asked->set && what->binding == asked->binding &&
+            if (cli_shader_binding_is(asked, resources->list[r].what) &&
                 !give(resources, &resources->list[r], asked)) {
                 return false;
             }

@@ -6,10 +6,6 @@
 
 #include <rhw/shader_vector.h>
 
-static const uint32_t screen_words[] = {
-#include "screen.inc"
-};
-
 static void report_misuse(void *user, const char *message)
 {
     cli_error(user, "%s", message);
@@ -59,37 +55,6 @@ static bool dispatch(rhw_context *context, const struct cli_shader_resources *re
                         (uint32_t)job->groups[2]) == RHW_OK;
 }
 
-// Link a fragment shader with a vertex shader that covers the picture.
-static rhw_shader_program *link_screen(const struct cli_shader_file *file)
-{
-    char message[RHW_SHADER_MESSAGE];
-    rhw_shader *vertex;
-    rhw_shader_program *program = NULL;
-    const struct rhw_shader_info *const info = rhw_shader_get_info(file->shader);
-    for (uint32_t i = 0; i < info->input_count; i++) {
-        if (info->inputs[i].location != 0 || info->inputs[i].is_integer ||
-            info->inputs[i].component + info->inputs[i].components > 2) {
-            cli_error(file->path,
-                      "reads %s at location %u; a vertex shader beside it gives that, and alone it has a "
-                      "vec2 at location 0",
-                      info->inputs[i].name[0] ? info->inputs[i].name : "an input",
-                      (unsigned)info->inputs[i].location);
-            return NULL;
-        }
-    }
-    const struct rhw_shader_def def = {.stage = RHW_SHADER_VERTEX};
-    enum rhw_result result = rhw_shader_create(screen_words, sizeof screen_words, &def, &vertex, message);
-    if (result == RHW_OK) {
-        const struct rhw_shader_program_def linked = {.vertex = vertex, .fragment = file->shader};
-        result = rhw_shader_program_create(&linked, &program, message);
-        rhw_shader_destroy(vertex);
-    }
-    if (result != RHW_OK) {
-        cli_error(file->path, "%s", message);
-    }
-    return program;
-}
-
 bool cli_shader_check_run(const struct cli_shader_job *job, const struct cli_shader_file *files, int count)
 {
     const bool computes = files[0].stage == RHW_SHADER_COMPUTE;
@@ -107,8 +72,8 @@ bool cli_shader_check_run(const struct cli_shader_job *job, const struct cli_sha
     return false;
 }
 
-static bool run(struct cli_shader_job *job, const struct cli_shader_file *files, int count,
-                const rhw_shader_program *program)
+bool cli_shader_run(struct cli_shader_job *job, const struct cli_shader_file *files, int count,
+                    const rhw_shader_program *program)
 {
     enum { DEFAULT_SIDE = 512 };
     struct rhw_context_def def = rhw_context_def_default();
@@ -131,17 +96,5 @@ static bool run(struct cli_shader_job *job, const struct cli_shader_file *files,
     done = done && cli_shader_resources_give(&resources, job);
     cli_shader_resources_close(&resources);
     rhw_context_destroy(context);
-    return done;
-}
-
-bool cli_shader_run(struct cli_shader_job *job, const struct cli_shader_file *files, int count,
-                    const rhw_shader_program *program)
-{
-    if (program) {
-        return run(job, files, count, program);
-    }
-    rhw_shader_program *const linked = link_screen(&files[0]);
-    const bool done = linked && run(job, files, count, linked);
-    rhw_shader_program_destroy(linked);
     return done;
 }

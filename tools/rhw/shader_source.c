@@ -67,6 +67,20 @@ char *cli_shader_read(const char *path, size_t most, size_t *size)
     return bytes;
 }
 
+bool cli_shader_write_bytes(const char *path, const void *bytes, size_t size)
+{
+    struct cli_output_file file;
+    if (!cli_output_file_open(&file, path)) {
+        return false;
+    }
+    fwrite(bytes, 1, size, file.stream);
+    const bool written = cli_output_file_finish(&file) && cli_output_file_commit(&file);
+    if (!written) {
+        cli_output_file_discard(&file);
+    }
+    return written;
+}
+
 // Compiling ------------------------------------------------------------------------------------------
 
 // Report a line of the compiler, "NAME:LINE: what is wrong".
@@ -118,11 +132,12 @@ static bool compile(struct cli_shader_file *file, const char *text, size_t size,
     } else {
         report(message, (int)strlen(message), file->path);
     }
+    const bool is_good = compiled && (!job->is_strict || code.log[0] == 0);
     file->words = code.words;
     file->size = code.size;
     code.words = NULL;
     glsl_code_free(&code);
-    return compiled;
+    return is_good;
 }
 
 static bool has_ending(const char *path, const char *ending)

@@ -62,6 +62,13 @@ static void print_name(const char *name)
     }
 }
 
+bool cli_shader_has_length(const struct rhw_shader_type *type)
+{
+    const struct rhw_shader_type *const last =
+        type && type->count > 0 ? type->members[type->count - 1].type : NULL;
+    return !last || last->kind != RHW_SHADER_ARRAY || last->count > 0;
+}
+
 // Text -----------------------------------------------------------------------------------------------
 
 static void print_members(const struct rhw_shader_type *type)
@@ -87,7 +94,8 @@ static void print_resources(const struct rhw_shader_info *info)
             printf(resource->count > 0 ? "[%u]" : "[]", (unsigned)resource->count);
         }
         if (resource->type) {
-            printf(", %u bytes", (unsigned)resource->size);
+            printf(", %u bytes%s", (unsigned)resource->size,
+                   cli_shader_has_length(resource->type) ? "" : " and an array of any length");
         }
         putchar('\n');
         print_members(resource->type);

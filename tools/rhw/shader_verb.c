@@ -16,6 +16,7 @@ enum {
     OPTION_AFTER,
     OPTION_JSON,
     OPTION_ALL_ERRORS,
+    OPTION_STRICT,
     OPTION_ENTRY,
     OPTION_CONSTANT,
     OPTION_RELAXED,
@@ -33,7 +34,9 @@ enum {
 
 static const struct cli_option options[] = {
     {"out", OPTION_OUT, "OUT",
-     "write SPIR-V, to a file named .spv; with --run the picture, to one named .png"},
+     "write SPIR-V, to a file named .spv, or the program as C for rhw_add_shaders,\nto one named .c; with "
+     "--run the "
+     "picture, to one named .png"},
     {"print", OPTION_PRINT, "WHAT",
      "print info: stage, resources, inputs and outputs, which is what happens anyway;\n"
      "spirv: instructions of the module, as spirv-dis writes them;\n"
@@ -42,6 +45,7 @@ static const struct cli_option options[] = {
     {"after", OPTION_AFTER, "STEP", "with --print ir, the form behind build or passes; default passes"},
     {"json", OPTION_JSON, NULL, "print info as JSON"},
     {"all-errors", OPTION_ALL_ERRORS, NULL, "print every error of the compiler, not the first alone"},
+    {"strict", OPTION_STRICT, NULL, "fail where the compiler warns"},
     {"entry", OPTION_ENTRY, "NAME", "entry point; default main, or the first of a module"},
     {"define", OPTION_DEFINE, "MACRO", "define a macro of GLSL: NAME, or NAME=VALUE"},
     {"include", OPTION_INCLUDE, "DIR", "where #include looks, behind the folder of the file"},
@@ -55,7 +59,8 @@ static const struct cli_option options[] = {
     {"size", OPTION_SIZE, "WxH", "pixels of the picture, or N for a square; default 512x512"},
     {"time", OPTION_TIME, "SECONDS", "what iTime has; default 0"},
     {"mouse", OPTION_MOUSE, "X,Y", "what iMouse has, in pixels from the top left; default 0,0"},
-    {"texture", OPTION_TEXTURE, "BINDING", "picture of a texture: SET:BINDING=FILE, 0:1=wood.png"},
+    {"texture", OPTION_TEXTURE, "BINDING",
+     "picture of a texture: SET:BINDING=FILE or NAME=FILE, 0:1=wood.png"},
     {"groups", OPTION_GROUPS, "X,Y,Z", "workgroups of a compute shader; default 1,1,1"},
     {"buffer", OPTION_BUFFER, "BINDING",
      "what a buffer holds at first: SET:BINDING=FILE, =BYTES of zeros,\nor =f32:, =i32: or =u32: and "
@@ -63,8 +68,8 @@ static const struct cli_option options[] = {
      "0:1=f32:1,2.5"},
     {"push", OPTION_PUSH, "VALUES", "push constants: a file, or numbers as of --buffer"},
     {"result", OPTION_RESULT, "BINDING",
-     "what to do with a buffer at the end: SET:BINDING=FILE writes it,\n=f32, =i32 or =u32 prints it; of an "
-     "image, =FILE.png"},
+     "what to do with a buffer at the end: SET:BINDING or NAME, and\n=FILE writes it, =f32, =i32 or =u32 "
+     "prints it; of an image, =FILE.png"},
     {"threads", OPTION_THREADS, "N", "threads that draw, 1 to 64; default: all there are"},
     {"max-memory", CLI_BUDGET_MEMORY, "SIZE", "fail when it needs more than this; default: no limit"},
     {"max-time", CLI_BUDGET_TIME, "SECONDS", "fail when it takes longer, 0.1..86400; default 300"},
@@ -74,7 +79,8 @@ static const char notes[] =
     "FILE is GLSL for Vulkan (.vert, .frag, .comp; 4.50 where it has no #version) or SPIR-V (.spv). A vertex "
     "and a\n"
     "fragment shader may be given together, and are linked then.\n"
-    "A fragment shader that is run alone may read a vec2 at location 0: 0,0 at the top left, 1,1 at the "
+    "A fragment shader that is run or written as C alone covers the picture. It may read a vec2 at location "
+    "0: 0,0 at the top left, 1,1 at the "
     "bottom right.\n"
     "Members of its uniform blocks or push constants with these names, or uniforms outside of blocks, are "
     "set:\n"
@@ -150,16 +156,27 @@ static bool parse_binding(struct cli_shader_bindings *bindings, const char *opti
     if (!has_room(option, bindings->count)) {
         return false;
     }
-    unsigned set, binding;
+    struct cli_shader_binding binding = {.option = option, .argument = argument};
+    unsigned set, number;
     int length = 0;
-    if (sscanf(argument, "%3u:%9u=%n", &set, &binding, &length) != 2 || length == 0 ||
-        argument[length] == 0 || set >= RHW_SHADER_MAX_SETS) {
-        cli_error(option, "'%s' is not SET:BINDING=VALUE, with a SET of 0 to %d, as in 0:1=%s", argument,
-                  RHW_SHADER_MAX_SETS - 1, strcmp(option, "--result") == 0 ? "f32" : "FILE");
+    const size_t name = strcspn(argument, "=");
+    const bool has_numbers = argument[0] >= '0' && argument[0] <= '9';
+    if (has_numbers && sscanf(argument, "%3u:%9u%n", &set, &number, &length) == 2 && (size_t)length == name &&
+        set < RHW_SHADER_MAX_SETS) {
+        binding.set = set;
+        binding.binding = number;
+    } else if (!has_numbers && name > 0 && name < sizeof binding.name) {
+        memcpy(binding.name, argument, name);
+    } else {
+        length = -1;
+    }
+    if (length < 0 || argument[name] == 0 || argument[name + 1] == 0) {
+        cli_error(option, "'%s' is not SET:BINDING=VALUE, with a SET of 0 to %d, and not NAME=VALUE",
+                  argument, RHW_SHADER_MAX_SETS - 1);
         return false;
     }
-    bindings->list[bindings->count++] = (struct cli_shader_binding){
-        .option = option, .argument = argument, .set = set, .binding = binding, .value = argument + length};
+    binding.value = argument + name + 1;
+    bindings->list[bindings->count++] = binding;
     return true;
 }
 
@@ -234,6 +251,7 @@ static bool parse_option(struct cli_shader_job *job, int id, char *argument)
         return choice >= 0;
     case OPTION_JSON: job->json = true; return true;
     case OPTION_ALL_ERRORS: job->all_errors = true; return true;
+    case OPTION_STRICT: job->is_strict = true; return true;
     case OPTION_RELAXED: job->is_relaxed = true; return true;
     case OPTION_ENTRY: job->entry_point = argument; return true;
     case OPTION_DEFINE: return parse_define(job, argument);
@@ -259,12 +277,13 @@ static bool has_ending(const char *path, const char *ending)
 // Report options that do not go together.
 static bool check_options(const struct cli_shader_job *job, int files, const char *run_option)
 {
-    if (job->out && !job->runs && !has_ending(job->out, ".spv")) {
-        cli_error(job->out, "SPIR-V is named .spv; a picture, .png, is drawn with --run");
+    const bool writes_c = job->out && has_ending(job->out, ".c");
+    if (job->out && !job->runs && !writes_c && !has_ending(job->out, ".spv")) {
+        cli_error(job->out, "SPIR-V is named .spv, and C .c; a picture, .png, is drawn with --run");
     } else if (job->out && job->runs && !has_ending(job->out, ".png")) {
         cli_error(job->out, "a picture of --run is named .png");
-    } else if (job->out && !job->runs && files > 1) {
-        cli_error(job->out, "takes one FILE");
+    } else if (job->out && !job->runs && !writes_c && files > 1) {
+        cli_error(job->out, "SPIR-V is written of one FILE");
     } else if (job->json && job->print > CLI_SHADER_INFO) {
         cli_error("--json", "goes with --print info alone");
     } else if (job->has_step && job->print != CLI_SHADER_FORM) {
@@ -282,6 +301,8 @@ static bool check_options(const struct cli_shader_job *job, int files, const cha
 }
 
 // Work -----------------------------------------------------------------------------------------------
+
+static const char identifier[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_0123456789";
 
 static void write_text(void *user, const char *text, size_t size)
 {
@@ -317,44 +338,34 @@ static bool print_shader(const struct cli_shader_file *file, const struct cli_sh
     return true;
 }
 
-static bool write_words(const struct cli_shader_file *file, const char *path)
+// Write the program as C, whose names begin as the file does.
+static bool write_c(const struct cli_shader_file *files, int count, const rhw_shader_program *program,
+                    const char *path)
 {
-    struct cli_output_file out;
-    if (!cli_output_file_open(&out, path)) {
+    char name[64], source[512], message[RHW_SHADER_MESSAGE];
+    const char *const slash = strrchr(path, '/');
+    const char *const file = slash ? slash + 1 : path;
+    const size_t length = strlen(file) - strlen(".c");
+    if (length >= sizeof name || strspn(file, identifier) < length || (file[0] >= '0' && file[0] <= '9')) {
+        cli_error(
+            path,
+            "its name without .c begins the names of the program, so it is an identifier of C, of at most "
+            "%zu letters, digits and underscores",
+            sizeof name - 1);
         return false;
     }
-    fwrite(file->words, 1, file->size, out.stream);
-    const bool written = cli_output_file_finish(&out) && cli_output_file_commit(&out);
-    if (!written) {
-        cli_output_file_discard(&out);
+    snprintf(name, sizeof name, "%.*s", (int)length, file);
+    snprintf(source, sizeof source, "%.200s%s%.200s", files[0].path, count > 1 ? " and " : "",
+             count > 1 ? files[1].path : "");
+    const struct rhw_shader_c_def def = {.name = name, .source = source};
+    char *text;
+    if (rhw_shader_program_emit_c(program, &def, &text, message) != RHW_OK) {
+        cli_error(files[0].path, "%s", message);
+        return false;
     }
+    const bool written = cli_shader_write_bytes(path, text, strlen(text));
+    rhw_shader_free_text(text);
     return written;
-}
-
-// Link what was given. *linked stays NULL for a fragment shader alone, which is no program.
-static bool link_shaders(const struct cli_shader_file *files, int count, rhw_shader_program **linked)
-{
-    struct rhw_shader_program_def def = {0};
-    *linked = NULL;
-    for (int i = 0; i < count; i++) {
-        const rhw_shader **const stages[] = {&def.vertex, &def.fragment, &def.compute};
-        if (*stages[files[i].stage]) {
-            cli_error(files[i].path, "is a %s shader, and another is one, too",
-                      cli_shader_stage_names[files[i].stage]);
-            return false;
-        }
-        *stages[files[i].stage] = files[i].shader;
-    }
-    if (count > 1 && def.compute) {
-        cli_error(files[def.fragment || def.vertex ? 0 : 1].path, "a compute shader goes alone");
-        return false;
-    }
-    char message[RHW_SHADER_MESSAGE];
-    if ((def.compute || def.vertex) && rhw_shader_program_create(&def, linked, message) != RHW_OK) {
-        cli_error(files[count - 1].path, "%s", message);
-        return false;
-    }
-    return true;
 }
 
 static bool check_constants(const struct cli_shader_job *job, const char *path)
@@ -372,11 +383,15 @@ static bool check_constants(const struct cli_shader_job *job, const char *path)
 static bool work(struct cli_shader_job *job, struct cli_shader_file *files, int count)
 {
     rhw_shader_program *program = NULL;
-    bool done = check_constants(job, files[0].path) && link_shaders(files, count, &program);
+    const bool writes_c = job->out && has_ending(job->out, ".c");
+    bool done =
+        check_constants(job, files[0].path) && cli_shader_link(files, count, job->runs || writes_c, &program);
     if (done && job->runs) {
         done = cli_shader_run(job, files, count, program);
+    } else if (done && writes_c) {
+        done = write_c(files, count, program, job->out);
     } else if (done && job->out) {
-        done = write_words(&files[0], job->out);
+        done = cli_shader_write_bytes(job->out, files[0].words, files[0].size);
     }
     if (done && !job->runs && job->json) {
         cli_shader_print_json(files, count);

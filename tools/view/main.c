@@ -25,7 +25,7 @@ static int run(int argc, char **argv)
         } else if (cli_render_prepare(&render)) {
             status = view_session_run(&job, &render.panorama);
         }
-        free(render.panorama.texels);
+        cli_render_release(&render);
     }
     free(job.argv);
     return status;

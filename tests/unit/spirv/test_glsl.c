@@ -132,6 +132,14 @@ static void test_relaxed_uniforms_make_a_block(void **state)
         "folder/x.frag:1: 'non-opaque uniforms outside a block' : not allowed when using GLSL for Vulkan");
 }
 
+static void test_errors_about_no_word_are_short(void **state)
+{
+    (void)state;
+    need_glslang();
+    expect_error("void main() { int }", NULL,
+                 "folder/x.frag:1: syntax error, unexpected RIGHT_BRACE, expecting COMMA or SEMICOLON");
+}
+
 // Files, as a caller has them: each includes the one of the next number.
 static const char *give(void *user, struct glsl_include *include)
 {
@@ -159,6 +167,7 @@ static void test_includes_are_asked_for(void **state)
     int left = 3;
     const struct glsl_options options = {.include = give, .user = &left};
     expect_error(text, &options, "1.glsl:1: 'x' : undeclared identifier");
+    assert_int_equal(left, 3); // it counts in the process that compiles
     left = 0;
     expect_error(text, &options, "folder/x.frag:1: '#include' : this is enough for header name: first.glsl");
     left = 1000;
@@ -185,6 +194,27 @@ static void test_constants_are_what_shaders_compute(void **state)
         found = found || memcmp(&code.words[i], &sine, sizeof sine) == 0;
     }
     assert_true(found);
+    glsl_code_free(&code);
+}
+
+// The last of 100,000 sums stands 100,000 deep in the tree of the compiler, which walks trees by recursion.
+static void test_crashes_are_told(void **state)
+{
+    (void)state;
+    need_glslang();
+    enum { SUMS = 100000 };
+    static char text[2 * SUMS + 128];
+    size_t length = (size_t)snprintf(text, sizeof text, "void main() { float x = gl_FragCoord.x; x = x");
+    for (int i = 0; i < SUMS; i++) {
+        memcpy(text + length, "+x", 2);
+        length += 2;
+    }
+    snprintf(text + length, sizeof text - length, "; }");
+    char message[RHW_SHADER_MESSAGE];
+    struct glsl_code code;
+    if (!compile(text, NULL, &code, message)) {
+        assert_non_null(strstr(message, "folder/x.frag: "));
+    }
     glsl_code_free(&code);
 }
 
@@ -231,11 +261,13 @@ static void test_absence_is_told(void **state)
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_a_text_becomes_a_shader),
     cmocka_unit_test(test_errors_have_their_lines),
+    cmocka_unit_test(test_errors_about_no_word_are_short),
     cmocka_unit_test(test_warnings_are_told_with_code),
     cmocka_unit_test(test_macros_are_defined),
     cmocka_unit_test(test_relaxed_uniforms_make_a_block),
     cmocka_unit_test(test_includes_are_asked_for),
     cmocka_unit_test(test_constants_are_what_shaders_compute),
+    cmocka_unit_test(test_crashes_are_told),
     cmocka_unit_test(test_threads_compile_at_a_time),
     cmocka_unit_test(test_absence_is_told),
 };

@@ -3,9 +3,11 @@
 #include "patience.h"
 #include "spirv_run.h"
 
-#include "endless_comp.h"
+#include "discards_frag.h"
+#include "endless_work_comp.h"
 #include "endless_frag.h"
 #include "endless_vert.h"
+#include "flow_comp.h"
 #include "leave_comp.h"
 #include "plain_vert.h"
 
@@ -14,7 +16,7 @@ enum { LANES = 20, WORKGROUPS = 3 };
 static void check_given_up(int threads)
 {
     rhw_shader_program *const program =
-        spirv_link(NULL, NULL, SPIRV_CREATE(endless_comp, RHW_SHADER_COMPUTE));
+        spirv_link(NULL, NULL, SPIRV_CREATE(endless_work_comp, RHW_SHADER_COMPUTE));
     uint32_t words[LANES * WORKGROUPS];
     const struct rhw_binding binding = spirv_memory(words, sizeof words);
     const struct rhw_shader_frame frame = {.sets = {&binding}};
@@ -121,11 +123,126 @@ static void test_all_lanes_may_leave_at_once(void **state)
     assert_int_equal(leave(0, 9), 42);
 }
 
+// Where lanes go -------------------------------------------------------------------------------------
+
+enum { FLOW_LANES = 200 };
+
+struct push {
+    int which, rounds;
+};
+
+static int early(int x, int which)
+{
+    if (which == 3 && x > 40) {
+        return -x;
+    }
+    return x > 90 ? 1000 : which == 2 ? x * 3 : x + 1;
+}
+
+// What the shader does for one lane.
+static int flow_of(int x, struct push push)
+{
+    int sum = push.which == 1 ? 5 : push.which == 2 ? 9 : early(x, push.which);
+    if (push.which == 2 && x % 3 == 0) {
+        return -7;
+    }
+    for (int r = 0; r < push.rounds; r++) {
+        if (r == 3 && push.which == 3) {
+            continue;
+        }
+        if (x == r) {
+            break;
+        }
+        for (int q = 0; q < x % 5 && !(q == 2 && push.which == 0); q++) {
+            sum += q * r;
+            if (sum > 300) {
+                return sum;
+            }
+        }
+        switch (x % 4 + push.which) {
+        case 0: sum += 3; break;
+        case 1: sum += 2; break;
+        case 2: sum += push.which == 1 ? 30 : 0; break;
+        default: sum = early(sum, push.which); break;
+        }
+    }
+    return sum;
+}
+
+static void test_lanes_go_where_their_conditions_say(void **state)
+{
+    (void)state;
+    int32_t source[FLOW_LANES], sink[FLOW_LANES];
+    rhw_shader_program *const program = spirv_link(NULL, NULL, SPIRV_CREATE(flow_comp, RHW_SHADER_COMPUTE));
+    const struct rhw_binding set[2] = {spirv_memory(source, sizeof source), spirv_memory(sink, sizeof sink)};
+    struct rig rig;
+    uint64_t random = 9;
+    rig_open(&rig, 4, 4);
+    for (int turn = 0; turn < 40; turn++) {
+        const struct push push = {turn % 4, turn / 4};
+        for (int i = 0; i < FLOW_LANES; i++) {
+            // Some turns have one number in all lanes, so that all go one way.
+            source[i] = turn % 3 == 0 && i > 0 ? source[0] : rig_random_int(&random, 100);
+        }
+        const struct rhw_shader_frame frame = {
+            .sets = {set}, .push_constants = &push, .push_size = sizeof push};
+        assert_int_equal(spirv_dispatch(&rig, program, &frame, 1), RHW_OK);
+        for (int i = 0; i < FLOW_LANES; i++) {
+            if (sink[i] != flow_of(source[i], push)) {
+                fail_msg("turn %d, number %d: %d for %d", turn, source[i], sink[i], flow_of(source[i], push));
+            }
+        }
+    }
+    rig_close(&rig);
+    rhw_shader_program_destroy(program);
+}
+
+static void test_discarded_lanes_do_no_more(void **state)
+{
+    (void)state;
+    static const float limits[3][3] = {{100, 0, 0}, {5, 7, 2}, {-1, -1, 0}};
+    static const uint32_t left[3] = {256, 256 - 11 * (9 + 2), 0};
+    rhw_shader_program *const program = spirv_link(SPIRV_CREATE(plain_vert, RHW_SHADER_VERTEX),
+                                                   SPIRV_CREATE(discards_frag, RHW_SHADER_FRAGMENT), NULL);
+    const float scale = 1;
+    for (int turn = 0; turn < 3; turn++) {
+        const float *const l = limits[turn];
+        const struct rig_vertex triangle[3] = {
+            {{-1, -1, 0, 1}, {l[0], l[1], l[2], 1}},
+            {{5, -1, 0, 1}, {l[0], l[1], l[2], 1}},
+            {{-1, 5, 0, 1}, {l[0], l[1], l[2], 1}},
+        };
+        uint32_t behind = 0;
+        const struct rhw_binding binding = spirv_memory(&behind, sizeof behind);
+        const struct rhw_shader_frame frame = {
+            .sets = {&binding}, .push_constants = &scale, .push_size = sizeof scale};
+        struct rig rig;
+        rig_open(&rig, 16, 16);
+        rig.pipeline.program = *rhw_shader_program_get(program);
+        rig_begin(&rig);
+        rig_use_pipeline(&rig);
+        rig_use_vertices(&rig, 0, triangle, sizeof triangle);
+        rhw_pass_set_uniforms(rig.context, rig.recording, &frame, sizeof frame);
+        rhw_pass_draw(rig.context, rig.recording, 0, 3, 0, 1);
+        rig_end(&rig);
+        assert_int_equal(behind, left[turn]);
+        uint32_t drawn = 0;
+        for (int i = 0; i < 256; i++) {
+            drawn += rig_read_float4(&rig)[i][3] == 1.0f;
+        }
+        assert_int_equal(drawn, left[turn]);
+        rig_close(&rig);
+    }
+    rhw_shader_program_destroy(program);
+}
+
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_a_dispatch_without_an_end_is_given_up),
     cmocka_unit_test(test_fragments_without_an_end_are_given_up),
     cmocka_unit_test(test_vertices_without_an_end_are_given_up),
     cmocka_unit_test(test_all_lanes_may_leave_at_once),
+    cmocka_unit_test(test_lanes_go_where_their_conditions_say),
+    cmocka_unit_test(test_discarded_lanes_do_no_more),
 };
 
 const struct unit_tests test_spirv_flow = UNIT_TESTS(tests, NULL, NULL);

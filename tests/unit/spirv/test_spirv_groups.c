@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Subgroups are 8 invocations that follow one another. Each operation is held to a sum, a shuffle or a vote that is done
 // here one lane after the other.
+#include <glsl.h>
+
 #include "spirv_run.h"
 
 #include "elected_frag.h"
 #include "plain_vert.h"
-#include "shuffled_frag.h"
 #include "subgroups_comp.h"
 
 enum { LANES = 21, ROW = 24, BUILT_INS = 6, MAX_RESULTS = 64 };
@@ -180,14 +181,13 @@ static void check_built_ins(int i)
     expect(&row, i, (~from & 0xff) | own | (~from & 0xff) << 8);
 }
 
-// What lanes vote, of which `part` take part and `holds` say yes.
+// What lanes vote: `holds` has a bit for each that says yes.
 static void check_ballots(int i, int *row)
 {
-    uint32_t part = 0, holds = 0, all = 1, any = 0, equal = 1, first = 8;
+    uint32_t holds = 0, all = 1, any = 0, equal = 1, first = 8;
     for (int lane = 7; lane >= 0; lane--) {
         const int other = (i & ~7) + lane;
         if (takes_part(other)) {
-            part |= 1u << lane;
             holds |= (source[other] & 4) != 0 ? 1u << lane : 0;
             all = all && source[other] > 5;
             any = any || source[other] > 95;
@@ -261,16 +261,35 @@ static void test_lanes_of_a_subgroup_work_together(void **state)
     rhw_shader_program_destroy(program);
 }
 
-static void test_fragments_have_elect_alone(void **state)
+static void test_fragments_have_no_shuffle(void **state)
 {
     (void)state;
+    static const char text[] = "#extension GL_KHR_shader_subgroup_shuffle : require\n"
+                               "layout(location = 0) in vec4 color;\n"
+                               "layout(location = 0) out vec4 target;\n"
+                               "void main()\n"
+                               "{\n"
+                               "    target = subgroupShuffleXor(color, 1u);\n"
+                               "}\n";
     char message[RHW_SHADER_MESSAGE];
+    struct glsl_code code;
     rhw_shader *shader;
-    assert_int_equal(rhw_shader_create(shuffled_frag, sizeof shuffled_frag,
-                                       &(struct rhw_shader_def){.stage = RHW_SHADER_FRAGMENT}, &shader,
-                                       message),
-                     RHW_ERROR_MISUSE);
+    if (!glsl_is_there()) {
+        skip();
+    }
+    if (!glsl_compile(RHW_SHADER_FRAGMENT, text, strlen(text), "x.frag", &(struct glsl_options){0}, &code,
+                      message, sizeof message)) {
+        fail_msg("%s", message);
+    }
+    const struct rhw_shader_def def = {.stage = RHW_SHADER_FRAGMENT};
+    assert_int_equal(rhw_shader_create(code.words, code.size, &def, &shader, message), RHW_ERROR_MISUSE);
     assert_non_null(strstr(message, "no subgroup operation but elect"));
+    glsl_code_free(&code);
+}
+
+static void test_fragments_have_elect(void **state)
+{
+    (void)state;
     rhw_shader_program *const program = spirv_link(SPIRV_CREATE(plain_vert, RHW_SHADER_VERTEX),
                                                    SPIRV_CREATE(elected_frag, RHW_SHADER_FRAGMENT), NULL);
     static const struct rig_vertex triangle[3] = {
@@ -301,7 +320,8 @@ static void test_fragments_have_elect_alone(void **state)
 
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_lanes_of_a_subgroup_work_together),
-    cmocka_unit_test(test_fragments_have_elect_alone),
+    cmocka_unit_test(test_fragments_have_no_shuffle),
+    cmocka_unit_test(test_fragments_have_elect),
 };
 
 const struct unit_tests test_spirv_groups = UNIT_TESTS(tests, NULL, NULL);

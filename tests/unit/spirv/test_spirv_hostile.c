@@ -101,7 +101,8 @@ static void begin(struct growing *module)
 {
     *module = (struct growing){.next_id = FREE};
     PUT(0x07230203, 0x10300, 0, 0, 0);
-    PUT(CAPABILITY, 1, MEMORY_MODEL, 0, 1, ENTRY_POINT, 5, MAIN, 0x6e69616d, 0, EXECUTION_MODE, MAIN, 17, 8, 1, 1);
+    PUT(CAPABILITY, 1, MEMORY_MODEL, 0, 1, ENTRY_POINT, 5, MAIN, 0x6e69616d, 0, EXECUTION_MODE, MAIN, 17, 8,
+        1, 1);
 }
 
 static void declare(struct growing *module)
@@ -150,8 +151,8 @@ static void nest_switches(struct growing *module, uint32_t depth)
     const uint32_t first = module->next_id;
     module->next_id += 2 * depth;
     for (uint32_t i = 0; i < depth; i++) {
-        PUT(SELECTION_MERGE, first + 2 * i, 0, SWITCH_OF_ONE, ZERO, first + 2 * i, 1, first + 2 * i + 1, LABEL,
-            first + 2 * i + 1);
+        PUT(SELECTION_MERGE, first + 2 * i, 0, SWITCH_OF_ONE, ZERO, first + 2 * i, 1, first + 2 * i + 1,
+            LABEL, first + 2 * i + 1);
     }
     for (uint32_t i = depth; i-- > 0;) {
         PUT(BRANCH, first + 2 * i, LABEL, first + 2 * i);
@@ -270,12 +271,9 @@ static void test_bounds_are_named(void **state)
 }
 
 static const struct CMUnitTest tests[] = {
-    cmocka_unit_test(test_broken_rules_are_named),
-    cmocka_unit_test(test_many_blocks),
-    cmocka_unit_test(test_switches_within_each_other),
-    cmocka_unit_test(test_calls_that_double),
-    cmocka_unit_test(test_constants_of_one_bucket),
-    cmocka_unit_test(test_decorations_without_end),
+    cmocka_unit_test(test_broken_rules_are_named),     cmocka_unit_test(test_many_blocks),
+    cmocka_unit_test(test_switches_within_each_other), cmocka_unit_test(test_calls_that_double),
+    cmocka_unit_test(test_constants_of_one_bucket),    cmocka_unit_test(test_decorations_without_end),
     cmocka_unit_test(test_bounds_are_named),
 };
 

@@ -4,8 +4,8 @@
 #include "../binding/bound_things.h"
 #include "spirv_run.h"
 
-#include "images_comp.h"
-#include "images_frag.h"
+#include "sampling_comp.h"
+#include "levels_frag.h"
 #include "plain_vert.h"
 
 enum { LANES = 24, MAX_RESULTS = 64 };
@@ -325,7 +325,7 @@ static void test_compute_samples_as_c_does(void **state)
     for (int i = 0; i < LANES * 4; i++) {
         points[i / 4][i % 4] = rig_random_float(&random, -0.4f, 1.3f);
     }
-    rhw_shader_program *const program = spirv_link(NULL, NULL, SPIRV_CREATE(images_comp, RHW_SHADER_COMPUTE));
+    rhw_shader_program *const program = spirv_link(NULL, NULL, SPIRV_CREATE(sampling_comp, RHW_SHADER_COMPUTE));
     assert_int_equal(rhw_shader_program_set_size(program, 0), IMAGES);
     struct rig rig;
     struct rhw_binding set[IMAGES];
@@ -422,7 +422,7 @@ static void test_fragments_find_levels_as_c_does(void **state)
     (void)state;
     static float pixels[2][SIZE * SIZE][4];
     rhw_shader_program *const program = spirv_link(SPIRV_CREATE(plain_vert, RHW_SHADER_VERTEX),
-                                                   SPIRV_CREATE(images_frag, RHW_SHADER_FRAGMENT), NULL);
+                                                   SPIRV_CREATE(levels_frag, RHW_SHADER_FRAGMENT), NULL);
     struct rig rig;
     struct rhw_binding images[IMAGES];
     rig_open(&rig, SIZE, SIZE);

@@ -114,6 +114,26 @@ static void test_instructions_have_registers(void **state)
     expect_order(parts, sizeof parts / sizeof *parts);
 }
 
+static void test_what_lanes_do_together_has_names(void **state)
+{
+    (void)state;
+    static const char together[] = "#extension GL_KHR_shader_subgroup_arithmetic : enable\n"
+                                   "layout(local_size_x = 8) in;\n"
+                                   "layout(binding = 0) buffer B { uint b[]; };\n"
+                                   "layout(binding = 1, r32ui) uniform uimage2D image;\n"
+                                   "void main()\n"
+                                   "{\n"
+                                   "    uint i = gl_LocalInvocationIndex;\n"
+                                   "    b[9] = atomicCompSwap(b[3], i, 7u) + imageAtomicMin(image, ivec2(1, "
+                                   "2), i) + subgroupExclusiveAdd(i);\n"
+                                   "}\n";
+    static const char *const parts[] = {" = atomic_compare_exchange u", "[12] 7 where v",
+                                        " = image_atomic_min_uint u", "[1 2 0] v",
+                                        " = scan_iadd exclusive of 8 lanes v"};
+    print(together, RHW_SHADER_COMPUTE, RHW_SHADER_PASSED);
+    expect_order(parts, sizeof parts / sizeof *parts);
+}
+
 static void test_nothing_is_printed_of_what_is_refused(void **state)
 {
     (void)state;
@@ -133,6 +153,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_the_form_stands_beside_its_source),
     cmocka_unit_test(test_the_form_is_printed_before_its_passes),
     cmocka_unit_test(test_instructions_have_registers),
+    cmocka_unit_test(test_what_lanes_do_together_has_names),
     cmocka_unit_test(test_nothing_is_printed_of_what_is_refused),
 };
 

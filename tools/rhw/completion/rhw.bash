@@ -66,10 +66,11 @@ _rhw_render() { # CURRENT PREVIOUS
     --animate | --animate=) _rhw_words "$1" 12 24 30 60 ;;
     --turntable | --turntable=) _rhw_words "$1" 24 36 60 120 ;;
     --transparency | --transparency=) _rhw_words "$1" sorted exact ;;
+    --fragment-shader | --fragment-shader=) _rhw_files "$1" ;;
     --max-time | --max-time=) _rhw_words "$1" 10 60 300 ;;
     --stats=) _rhw_files "$1" ;;
     --quality | --quality=) ;;
-    *) _rhw_drawing "$1" "$2" || _rhw_rest "$1" file --out --literal --size --samples --supersample --output --bits --format --quality --fit --up --zoom --margin --ortho --print-camera --orbit --views --camera --camera-index --camera-name --fovy --interpolate --wireframe --background --variant --animation --time --animate --turntable --lights --shadows --ground --ambient-occlusion --environment --environment-rotation --tone-map --transparency --exposure --threads --isa --paths --max-memory --max-time --max-texture --confine --stats --strict --quiet --help ;;
+    *) _rhw_drawing "$1" "$2" || _rhw_rest "$1" file --out --literal --size --samples --supersample --output --bits --format --quality --fit --up --zoom --margin --ortho --print-camera --orbit --views --camera --camera-index --camera-name --fovy --interpolate --wireframe --background --variant --animation --time --animate --turntable --lights --shadows --ground --ambient-occlusion --environment --environment-rotation --tone-map --transparency --exposure --fragment-shader --fragment-shader-template --threads --isa --paths --max-memory --max-time --max-texture --confine --stats --strict --quiet --help ;;
     esac
 }
 
@@ -132,7 +133,7 @@ _rhw_shader() { # CURRENT PREVIOUS
     --max-memory | --max-memory=) _rhw_words "$1" 512M 1G 2G 4G ;;
     --max-time | --max-time=) _rhw_words "$1" 10 60 300 ;;
     --entry | --entry= | --define | --define= | -D | --constant | --constant= | --time | --time= | --mouse | --mouse= | --texture | --texture= | --groups | --groups= | --buffer | --buffer= | --push | --push= | --result | --result= | --threads | --threads=) ;;
-    *) _rhw_rest "$1" file --out --print --after --json --all-errors --entry --define --include --constant --relaxed --run --size --time --mouse --texture --groups --buffer --push --result --threads --max-memory --max-time --help ;;
+    *) _rhw_rest "$1" file --out --print --after --json --all-errors --strict --entry --define --include --constant --relaxed --run --size --time --mouse --texture --groups --buffer --push --result --threads --max-memory --max-time --help ;;
     esac
 }
 

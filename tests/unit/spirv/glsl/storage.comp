@@ -39,6 +39,7 @@ void main()
     imageStore(cubes, at.xyw, p);
     imageStore(texels, at.x + at.y, p);
     imageStore(table[i % 4], at.xy, p);
+    barrier(); // what others stored is loaded
     put(imageLoad(line, at.x));
     put(imageLoad(lines, at.yz));
     put(imageLoad(plane, at.zw));
