@@ -117,8 +117,8 @@ struct shader_builder {
     uint32_t word;   // instruction that is being translated
     struct shader_frame *frame;
     struct shader_construct *constructs;
-    uint32_t *output_homes;     // by enum shader_output, or SHADER_NO_VALUE
-    unsigned second_target;     // what stands in the place of target 1 (build_interface.c)
+    uint32_t *output_homes; // by enum shader_output, or SHADER_NO_VALUE
+    unsigned second_target; // what stands in the place of target 1 (build_interface.c)
 };
 
 // build.c ------------------------------------------------------------------------------------------

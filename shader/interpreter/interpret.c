@@ -137,6 +137,9 @@ static void execute(struct frame *frame)
     }
     memset(own_memory(frame), 0,
            (size_t)bytecode->private_count * bytecode->batch * sizeof *frame->registers);
+    struct group_range outer[SHADER_MAX_DEPTH];
+    frame->outer = outer;
+    frame->range = (struct group_range){0, frame->groups};
     frame->next = bytecode->code;
     while (frame->next->op != SHADER_END) {
         const struct shader_instruction *const in = frame->next++;

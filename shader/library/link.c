@@ -2,7 +2,7 @@
 // See link.h.
 #include "link.h"
 
-#include "shader.h"
+#include "message.h"
 
 #include <string.h>
 
