@@ -55,6 +55,9 @@ static struct image_access begin_access(struct shader_builder *builder, uint32_t
     }
     memset(access.values, 0, sizeof access.values);
     access.image = image_type_of(builder, shader_type_of_value(builder, id));
+    if (access.image->image.is_storage && access.image->image.is_multisampled) {
+        shader_build_refuse(builder, "storage images with several samples are not supported");
+    }
     access.values[SHADER_IMAGE_TEXTURE] = place->buffer;
     access.spatial = spatial_of(builder, access.image);
     access.coordinates = access.spatial;
@@ -271,6 +274,9 @@ static void build_fetch(struct shader_builder *builder, enum shader_image_operat
     struct image_access access = begin_access(builder, 3, is_storage(image) ? SHADER_DO_LOAD : does);
     take_coordinates(builder, &access, shader_operand(builder, 4), false);
     take_operands(builder, &access, 5);
+    if (access.values[SHADER_IMAGE_LOD] == 0) { // level 0, which is that of a fetch without one
+        access.flags &= ~(uint32_t)SHADER_IMAGE_HAS_LOD;
+    }
     for (uint32_t i = 0; (access.flags & SHADER_IMAGE_HAS_OFFSET) && i < access.spatial; i++) {
         uint32_t *const at = &access.values[SHADER_IMAGE_COORDINATES + i];
         *at = shader_emit(builder, SHADER_IADD, *at, access.values[SHADER_IMAGE_OFFSET + i], 0);

@@ -125,6 +125,9 @@ static void execute(struct frame *frame)
     for (uint32_t i = 0; i < bytecode->constant_count; i++) {
         uniform[i].i = rhw_splat_int((int32_t)bytecode->constants[i]);
     }
+    struct group_range outer[SHADER_MAX_DEPTH];
+    frame->outer = outer;
+    frame->range = (struct group_range){0, frame->groups};
     frame->next = bytecode->code;
     while (frame->next->op != SHADER_END) {
         const struct shader_instruction *const in = frame->next++;
