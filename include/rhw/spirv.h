@@ -9,7 +9,8 @@
 //
 // A module that breaks a rule of SPIR-V which the translation relies on, or that asks for what is not supported, is
 // refused with a message that names the instruction and its word. Accesses outside of buffers and images are harmless:
-// reads give 0, and writes do nothing.
+// reads give 0, and writes do nothing. Loops ask the program whether it gives the work up (rhw_context_set_goes_on). If
+// it has set nothing there, a draw or a dispatch with a loop that never ends does not return.
 #ifndef RHW_SPIRV_H
 #define RHW_SPIRV_H
 
@@ -125,6 +126,10 @@ struct rhw_shader_resource {
     const char *name; ///< name in the module, or "" if the module has none; lives as long as the shader
     uint32_t size; ///< bytes of a buffer up to its last member, or of the part before a member without length
     bool is_read_only; ///< no code of the shader writes to it
+    // Members that an image of any kind has
+    enum rhw_texture_kind texture_kind;
+    bool is_array, is_multisampled;
+    bool is_integer; ///< its texels are whole numbers
     /// Struct of a buffer, NULL of what is none. It lives as long as the shader.
     const struct rhw_shader_type *type;
 };

@@ -61,6 +61,8 @@ class Resource(NamedTuple):
     size: int
     is_read_only: bool
     type: Any
+    is_plain: bool
+    is_integer: bool
 
     @property
     def key(self) -> Key:
@@ -390,7 +392,10 @@ def _bound(resource: Resource, value: Any, name: str, context: _rhw.Context,
         return _storage(resource, value, name), None
     if resource.kind == _TEXEL_BUFFER:
         array = value.array if isinstance(value, Buffer) else _memory(value, name)
-        return _words(array, name, resource.is_read_only), _rhw.formats[_format_of(array, name, 1)]
+        form = _format_of(array, name, 1)
+        if resource.is_integer != (form == "r32_uint"):
+            raise TypeError(f"{name}: must be of {'uint32' if resource.is_integer else 'floats or bytes'}, not {array.dtype}")
+        return _words(array, name, resource.is_read_only), _rhw.formats[form]
     if resource.kind == _SAMPLER:
         if not isinstance(value, Sampler):
             raise TypeError(f"{name}: must be a Sampler, not {_arrays.text(value)}")
@@ -408,6 +413,11 @@ def _bound_texture(resource: Resource, value: Any, name: str, context: _rhw.Cont
     if resource.kind == _STORAGE_IMAGE and not isinstance(value, Texture):
         raise TypeError(f"{name}: must be a Texture, not {_arrays.text(value)}")
     texture = value if isinstance(value, Texture) else _texture(value, name, context)
+    if not resource.is_plain:
+        raise ValueError(f"{name}: only images of two dimensions are supported, without layers and samples")
+    if resource.is_integer != (texture.format == "r32_uint"):
+        raise ValueError(f"{name}: must be {'r32_uint' if resource.is_integer else 'of another format than r32_uint'}, as the "
+                         f"shader reads {'whole numbers' if resource.is_integer else 'floats'}, not {texture.format}")
     if any(texture is target for target in targets):
         raise ValueError(f"{name}: is a target of the pass")
     for each in (texture, sampler):

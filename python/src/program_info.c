@@ -105,9 +105,12 @@ PyObject *python_program_resource(const struct rhw_shader_resource *resource, Py
     PyObject *const type = resource->type ? type_of(resource->type, told) : none();
     PyObject *made = NULL;
     if (name && type) {
-        made = Py_BuildValue("(iIIIOIOO)", (int)resource->kind, resource->set, resource->binding,
-                             resource->count, name, resource->size,
-                             resource->is_read_only ? Py_True : Py_False, type);
+        const bool is_flat = resource->texture_kind == RHW_TEXTURE_2D && !resource->is_array;
+        made =
+            Py_BuildValue("(iIIIOIOOOO)", (int)resource->kind, resource->set, resource->binding,
+                          resource->count, name, resource->size, resource->is_read_only ? Py_True : Py_False,
+                          type, is_flat && !resource->is_multisampled ? Py_True : Py_False,
+                          resource->is_integer ? Py_True : Py_False);
     }
     Py_XDECREF(name);
     Py_XDECREF(type);

@@ -103,7 +103,7 @@ struct shader_builder {
     uint32_t word;   // instruction that is being translated
     struct shader_frame *frame;
     struct shader_construct *constructs;
-    uint32_t *output_homes;     // by enum shader_output, or SHADER_NO_VALUE
+    uint32_t *output_homes; // by enum shader_output, or SHADER_NO_VALUE
 };
 
 // build.c ------------------------------------------------------------------------------------------

@@ -375,7 +375,12 @@ static void build_switch(struct shader_builder *builder, uint32_t merge)
     }
     for (uint32_t i = 0; i < count; i++) {
         const size_t inner = builder->facts.log_count;
-        flow(builder, SHADER_IF, shader_get_home(builder, runs[i]));
+        const uint32_t ran = shader_get_home(builder, runs[i]);
+        uint32_t bits;
+        if (shader_is_number(builder, ran, &bits) && bits == 0) {
+            continue; // no lane comes to this case
+        }
+        flow(builder, SHADER_IF, ran);
         const uint32_t body = begin(builder, SHADER_REGION);
         // What is behind can be fallen into.
         for (uint32_t t = count; t-- > i + 1;) {

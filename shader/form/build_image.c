@@ -55,6 +55,9 @@ static struct image_access begin_access(struct shader_builder *builder, uint32_t
     }
     memset(access.values, 0, sizeof access.values);
     access.image = image_type_of(builder, shader_type_of_value(builder, id));
+    if (access.image->image.is_storage && access.image->image.is_multisampled) {
+        shader_build_refuse(builder, "storage images with several samples are not supported");
+    }
     access.values[SHADER_IMAGE_TEXTURE] = place->buffer;
     access.spatial = spatial_of(builder, access.image);
     access.coordinates = access.spatial;

@@ -45,7 +45,7 @@ static void mark_value(struct worklist *list, uint32_t value)
 static bool may_differ(const struct shader_node *node)
 {
     return node->op != SHADER_DDX && node->op != SHADER_DDY && node->op != SHADER_ATOMIC &&
-           node->op != SHADER_IMAGE_ATOMIC;
+           node->op != SHADER_IMAGE_ATOMIC && (node->flags & SHADER_PER_QUAD) == 0;
 }
 
 // Mark values that may be others at the partner pixel.
@@ -182,8 +182,8 @@ static void put_derivative(struct direction *direction, uint32_t value, uint32_t
         return;
     }
     const uint32_t difference = add(direction, SHADER_FSUB, 0, there(direction, operand, nodes), operand);
-    program->nodes[value] =
-        (struct shader_node){.op = SHADER_FMUL, .operands = {difference, direction->step, 0}};
+    program->nodes[value] = (struct shader_node){
+        .op = SHADER_FMUL, .flags = SHADER_PER_QUAD, .operands = {difference, direction->step, 0}};
     put(direction, value);
 }
 

@@ -86,7 +86,8 @@ static void run_JUMP_UNLESS(struct frame *frame, const struct shader_instruction
     }
 }
 
-// Behind structure that lanes leave for good, go to the end of what lies around it if none is left.
+// Behind structure, narrow the range to the groups that have active lanes. Where lanes may have left for good and none
+// is active, go to the end of what lies around it.
 static void go_on(struct frame *frame, const struct shader_instruction *in)
 {
     if (!narrow_range(frame) && in->c.vector != 0) {

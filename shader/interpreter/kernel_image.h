@@ -158,8 +158,8 @@ static void access_image(const struct frame *frame, const struct rhw_binding *bi
     struct image_request r;
     read_image_request(frame, operands, flags, group, &r);
     if (flags & SHADER_IMAGE_HAS_LEAST_LOD) {
-        r.bias =
-            rhw_spirv_raised_bias(binding, &r.request, image_float(frame, operands, SHADER_IMAGE_LEAST_LOD, group));
+        r.bias = rhw_spirv_raised_bias(binding, &r.request,
+                                       image_float(frame, operands, SHADER_IMAGE_LEAST_LOD, group));
         r.request.bias = &r.bias;
     }
     switch ((enum shader_image_operation)(flags & 15)) {

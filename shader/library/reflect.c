@@ -40,6 +40,23 @@ static enum rhw_shader_resource_kind kind_of(const struct shader_resource *resou
     }
 }
 
+// Fill in what an image is.
+static void reflect_image(const struct shader_type *type, struct rhw_shader_resource *resource)
+{
+    static const enum rhw_texture_kind kinds[] = {[SPIRV_DIM_1D] = RHW_TEXTURE_1D,
+                                                  [SPIRV_DIM_2D] = RHW_TEXTURE_2D,
+                                                  [SPIRV_DIM_3D] = RHW_TEXTURE_3D,
+                                                  [SPIRV_DIM_CUBE] = RHW_TEXTURE_CUBE};
+    const struct shader_type *const image = type->kind == SHADER_SAMPLED_IMAGE ? type->element : type;
+    if (image->kind == SHADER_IMAGE) {
+        resource->texture_kind =
+            image->image.dim <= SPIRV_DIM_CUBE ? kinds[image->image.dim] : RHW_TEXTURE_2D;
+        resource->is_array = image->image.is_arrayed;
+        resource->is_multisampled = image->image.is_multisampled;
+        resource->is_integer = image->element->kind == SHADER_INT;
+    }
+}
+
 static int compare_resources(const void *a, const void *b)
 {
     const struct rhw_shader_resource *const x = a, *const y = b;
@@ -77,6 +94,9 @@ static const struct use *find_uses(const struct shader_program *form)
         case SHADER_ATOMIC: mark_written(form, uses, form->lists[first + 1 + SHADER_ATOMIC_BUFFER]); break;
         case SHADER_IMAGE_STORE:
             mark_written(form, uses, form->lists[first + 1 + SHADER_IMAGE_TEXTURE]);
+            break;
+        case SHADER_IMAGE_ATOMIC:
+            mark_written(form, uses, form->lists[first + 1 + SHADER_IMAGE_ATOMIC_IMAGE]);
             break;
         default: break;
         }
@@ -117,14 +137,15 @@ static void reflect_resources(rhw_shader *shader)
         }
         const struct rhw_shader_type *const type =
             resource->type->kind == SHADER_STRUCT ? shader_reflect_type(shader, resource->type) : NULL;
-        resources[count++] = (struct rhw_shader_resource){.kind = kind_of(resource),
-                                                          .set = (uint32_t)variable->set,
-                                                          .binding = (uint32_t)variable->binding,
-                                                          .count = resource->count,
-                                                          .name = name_of_resource(module, resource),
-                                                          .size = type ? type->size : 0,
-                                                          .is_read_only = !uses[r].is_written,
-                                                          .type = type};
+        resources[count] = (struct rhw_shader_resource){.kind = kind_of(resource),
+                                                        .set = (uint32_t)variable->set,
+                                                        .binding = (uint32_t)variable->binding,
+                                                        .count = resource->count,
+                                                        .name = name_of_resource(module, resource),
+                                                        .size = type ? type->size : 0,
+                                                        .is_read_only = !uses[r].is_written,
+                                                        .type = type};
+        reflect_image(resource->type, &resources[count++]);
     }
     if (count > 0) {
         qsort(resources, count, sizeof *resources, compare_resources);

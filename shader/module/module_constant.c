@@ -97,7 +97,7 @@ static const struct shader_constant *operand(const struct operation *operation, 
 
 static int32_t divide(int32_t a, int32_t b)
 {
-    return b == 0 ? -1 : b == -1 ? (int32_t)(0 - (uint32_t)a) : a / b;
+    return b == 0 ? a : b == -1 ? (int32_t)(0 - (uint32_t)a) : a / b;
 }
 
 // Return a scalar of the result. Divisions by 0 give what they give in shaders (shader_integer.h).
@@ -113,12 +113,12 @@ static bool evaluate(uint32_t opcode, const uint32_t v[3], uint32_t *result)
     case SPIRV_OP_IAdd: *result = v[0] + v[1]; return true;
     case SPIRV_OP_ISub: *result = v[0] - v[1]; return true;
     case SPIRV_OP_IMul: *result = v[0] * v[1]; return true;
-    case SPIRV_OP_UDiv: *result = v[1] ? v[0] / v[1] : UINT32_MAX; return true;
+    case SPIRV_OP_UDiv: *result = v[1] ? v[0] / v[1] : v[0]; return true;
     case SPIRV_OP_SDiv: *result = (uint32_t)divide(a, b); return true;
-    case SPIRV_OP_UMod: *result = v[1] ? v[0] % v[1] : UINT32_MAX; return true;
-    case SPIRV_OP_SRem: *result = v[0] - v[1] * (uint32_t)divide(a, b); return true;
+    case SPIRV_OP_UMod: *result = v[1] ? v[0] % v[1] : 0; return true;
+    case SPIRV_OP_SRem: *result = b == 0 ? 0 : v[0] - v[1] * (uint32_t)divide(a, b); return true;
     case SPIRV_OP_SMod:
-        *result = v[0] - v[1] * (uint32_t)divide(a, b);
+        *result = b == 0 ? 0 : v[0] - v[1] * (uint32_t)divide(a, b);
         *result += *result != 0 && (int32_t)(*result ^ v[1]) < 0 ? v[1] : 0;
         return true;
     case SPIRV_OP_ShiftRightLogical: *result = v[0] >> (v[1] & 31); return true;

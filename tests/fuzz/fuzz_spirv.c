@@ -200,17 +200,9 @@ static void run(struct fuzz *fuzz, const rhw_shader *shader, enum rhw_shader_sta
         return;
     }
     fuzz->linked++;
-#ifdef NO_LOOPS
-    for (size_t i = 5; i < SPIRV_MUTATION_ROOM && fuzz->shown[i] >> 16; i += fuzz->shown[i] >> 16) {
-        if ((fuzz->shown[i] & 0xffff) == 246) {
-            rhw_shader_program_destroy(program);
-            return;
-        }
-    }
-#endif
     if (bind(fuzz, program, shader, &frame)) {
         fuzz->ran++;
-        give_up_at = seconds() + 0.2;
+        give_up_at = seconds() + 0.02;
         if (is_compute) {
             dispatch(fuzz, program, &frame);
         } else {

@@ -109,6 +109,7 @@ done <<'BAD'
 there_is_no_such_'t'_at_set_0,_binding_7 layout(binding = 7) uniform sampler2D t; void main() { color = texture(t, vec2(0)); }
 there_is_no_such_'B'_at_set_0,_binding_1 layout(binding = 1) uniform B { vec4 b; }; void main() { color = b; }
 there_is_no_such_'B'_at_set_0,_binding_0 layout(binding = 0) uniform B { vec4 b[99]; }; void main() { color = b[98]; }
+there_is_no_such_'c'_at_set_0,_binding_1 layout(binding = 1) uniform samplerCube c; void main() { color = texture(c, vec3(1)); }
 there_are_no_push_constants layout(push_constant) uniform P { vec4 p; }; void main() { color = p; }
 writes_'more'_at_location_1,_and_only_a_vec4_at_location_0_is_drawn layout(location = 1) out vec4 more; void main() { color = more = vec4(1); }
 BAD

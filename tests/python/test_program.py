@@ -149,6 +149,11 @@ void main() {
     y, x = np.mgrid[0:8, 0:16]
     assert np.array_equal(image.array, x + 100 * y)
     assert np.array_equal(texels, np.stack([np.arange(16), np.full(16, 0.5)], 1))
+    image.array[...] = 1
+    Program(compute="""layout(local_size_x = 16) in;
+layout(binding = 0, r32ui) uniform uimage2D image;
+void main() { imageAtomicAdd(image, ivec2(gl_LocalInvocationID.x / 2, 0), 3u); }""").dispatch(1, {"image": image})
+    assert (image.array[0, :8] == 7).all() and (image.array[1:] == 1).all()
 
 
 def test_computing_in_place(context):
@@ -242,6 +247,8 @@ def scaled(**values):
 
 sampling = Program(vertex=COVER, fragment="""layout(binding = 0) uniform sampler2D image;
 layout(location = 0) out vec4 color; void main() { color = texture(image, vec2(0)); }""")
+cubes = Program(vertex=COVER, fragment="""layout(binding = 0) uniform samplerCube image;
+layout(location = 0) out vec4 color; void main() { color = texture(image, vec3(1)); }""")
 
 
 @pytest.mark.parametrize("call, kind, line", [
@@ -279,6 +286,9 @@ layout(location = 0) out vec4 color; void main() { color = texture(image, vec2(0
     (lambda: one({"position": CORNERS}, values=3), TypeError, "values: must be a dictionary, not 3"),
     (lambda: one({"position": CORNERS}, of=sampling), ValueError, "image: missing"),
     (lambda: one({"position": CORNERS}, of=sampling, values={"image": 3}), TypeError, r"image: there are no texels of int64"),
+    (lambda: one({"position": CORNERS}, of=sampling, values={"image": Texture(3, "r32_uint")}), ValueError,
+     "image: must be of another format than r32_uint, as the shader reads floats, not r32_uint"),
+    (lambda: one({"position": CORNERS}, of=cubes, values={"image": CORNERS}), ValueError, "image: only images of two dimensions"),
     (lambda: one({"position": CORNERS}, of=sampling, values={"image": target["color"]}), ValueError, "image: is a target of the pass"),
     (lambda: one({"position": CORNERS}, of=sampling, values={"image": Texture(3, context=rhw.Context(1))}), ValueError,
      "image: belongs to another context"),

@@ -59,7 +59,8 @@ static bool check(const char *path, const struct rhw_shader_info *info)
     for (uint32_t i = 0; i < info->resource_count; i++) {
         const struct rhw_shader_resource *const r = &info->resources[i];
         if (r->set != 0 || r->binding >= SCENE_PROGRAM_BINDINGS || r->kind != kinds[r->binding] ||
-            r->count != 1 || r->size > sizeof(struct scene_program_block)) {
+            r->count != 1 || r->size > sizeof(struct scene_program_block) ||
+            r->texture_kind != RHW_TEXTURE_2D || r->is_array || r->is_multisampled || r->is_integer) {
             cli_error(path, "there is no such '%s' at set %u, binding %u; %s", r->name, (unsigned)r->set,
                       (unsigned)r->binding, hint);
             return false;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Reflection tells what stands where in blocks: offsets and strides of std140 and std430, as the GLSL text asks for them.
+// Reflection tells what images are, and what stands where in blocks: offsets and strides of std140 and std430, as the
+// GLSL text asks for them.
 #include <rhw/spirv.h>
 #include <string.h>
 
@@ -80,7 +81,7 @@ static void test_uniform_block(void **state)
 static void test_storage_blocks_and_push_constants(void **state)
 {
     (void)state;
-    assert_int_equal(info->resource_count, 3);
+    assert_int_equal(info->resource_count, 4);
     const struct rhw_shader_resource *const weights = &info->resources[1], *const sink = &info->resources[2];
     assert_string_equal(weights->name, "Weights"); // the block, as it has no other name
     assert_true(weights->is_read_only);
@@ -96,7 +97,19 @@ static void test_storage_blocks_and_push_constants(void **state)
     assert_int_equal(info->push_size, 24);
 }
 
+static void test_images(void **state)
+{
+    (void)state;
+    const struct rhw_shader_resource *const layers = &info->resources[3];
+    assert_string_equal(layers->name, "layers");
+    assert_int_equal(layers->texture_kind, RHW_TEXTURE_2D);
+    assert_true(layers->is_array && layers->is_integer && layers->is_read_only);
+    assert_false(layers->is_multisampled);
+    assert_null(layers->type);
+}
+
 static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_images),
     cmocka_unit_test(test_uniform_block),
     cmocka_unit_test(test_storage_blocks_and_push_constants),
 };
