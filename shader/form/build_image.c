@@ -55,8 +55,8 @@ static struct image_access begin_access(struct shader_builder *builder, uint32_t
     }
     memset(access.values, 0, sizeof access.values);
     access.image = image_type_of(builder, shader_type_of_value(builder, id));
-    const struct shader_image_type *const image = &access.image->image;
-    if (image->is_storage && image->is_multisampled && image->dim != SPIRV_DIM_SUBPASS) {
+    if (access.image->image.is_storage && access.image->image.is_multisampled &&
+        access.image->image.dim != SPIRV_DIM_SUBPASS) {
         shader_build_refuse(builder, "storage images with several samples are not supported");
     }
     access.values[SHADER_IMAGE_TEXTURE] = place->buffer;
