@@ -249,48 +249,4 @@ static void run_IMAGE_ATOMIC(struct frame *frame, const struct shader_instructio
     }
 }
 
-// Derivatives of inputs, and inputs at partner pixels.
-static void run_INPUT_DX(struct frame *frame, const struct shader_instruction *in)
-{
-    union vector *const d = &frame->registers[in->result.vector];
-    const int component = frame->bytecode->component_of[in->immediate];
-    for (int i = 0; i < frame->groups; i++) {
-        d[i].f = frame->fragments[i].ddx[component];
-    }
-}
-
-static void run_INPUT_DY(struct frame *frame, const struct shader_instruction *in)
-{
-    union vector *const d = &frame->registers[in->result.vector];
-    const int component = frame->bytecode->component_of[in->immediate];
-    for (int i = 0; i < frame->groups; i++) {
-        d[i].f = frame->fragments[i].ddy[component];
-    }
-}
-
-static void read_partner(struct frame *frame, const struct shader_instruction *in, int axis)
-{
-    union vector *const d = &frame->registers[in->result.vector];
-    const struct shader_bytecode *const bytecode = frame->bytecode;
-    const int component = bytecode->component_of[in->immediate];
-    const bool is_linear = bytecode->is_linear[in->immediate / 4];
-    for (int i = 0; i < frame->groups; i++) {
-        const rhw_int odd = rhw_int_from_float(frame->fragments[i].coord[axis]) & 1;
-        rhw_float offset[2] = {rhw_splat(0.0f), rhw_splat(0.0f)};
-        offset[axis] = rhw_float_from_int(1 - 2 * odd);
-        d[i].f = rhw_interpolate_at(&frame->fragments[i], component, is_linear ? -1 : bytecode->w_component,
-                                    offset);
-    }
-}
-
-static void run_INPUT_BESIDE(struct frame *frame, const struct shader_instruction *in)
-{
-    read_partner(frame, in, 0);
-}
-
-static void run_INPUT_BELOW(struct frame *frame, const struct shader_instruction *in)
-{
-    read_partner(frame, in, 1);
-}
-
 #endif

@@ -35,6 +35,7 @@ function(rhw_unit_room room)
   file(GLOB texts CONFIGURE_DEPENDS ${RHW_UNIT_FOLDER}/${room}/glsl/*)
   if(texts)
     rhw_add_glsl(unit_${room} ${texts})
+    rhw_add_optimized(unit_${room} ${texts})
     if(NOT CMAKE_CROSSCOMPILING)
       rhw_add_emitted(unit_${room} ${texts})
       foreach(source ${files}) # those that draw or dispatch
@@ -52,6 +53,20 @@ function(rhw_unit_room room)
   if(texts)
     rhw_add_assembly(unit_${room} ${RHW_UNIT_FOLDER}/${room}/asm/frame.inc ${texts})
   endif()
+endfunction()
+
+# Gives a target a header NAME_comp_small.h of each compute shader among GLSL texts: its words as an optimizer leaves them,
+# `const uint32_t NAME_comp_small[]`.
+function(rhw_add_optimized target)
+  set(folder ${CMAKE_CURRENT_BINARY_DIR}/${target}_glsl)
+  list(FILTER ARGN INCLUDE REGEX "\\.comp$")
+  foreach(text ${ARGN})
+    get_filename_component(name ${text} NAME_WE)
+    set(header ${folder}/${name}_comp_small.h)
+    add_custom_command(OUTPUT ${header} DEPENDS ${text} VERBATIM
+      COMMAND ${RHW_GLSLANG} -V -Os --quiet --target-env vulkan1.1 --vn ${name}_comp_small -o ${header} ${text})
+    target_sources(${target} PRIVATE ${header})
+  endforeach()
 endfunction()
 
 # Gives a target what the emitter writes of GLSL texts, so that its tests can draw with C (harness/emitted.h). A fragment
