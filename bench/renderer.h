@@ -28,6 +28,7 @@ struct bench_renderer {
     enum rhw_isa isa;           // of rhw
     uint64_t fragments;         // shaded in the last frame, where the renderer counts them
     struct bench_stages stages; // of the last frame, where the renderer measures them
+    double shaders_ms;          // that `take` spent on making programs of shaders; 0 of those in C
     char why[300];              // why `take` failed, where that is a limit of the renderer; else empty
     void *state;
     // Takes a scene, which must stay until `release`. False when the renderer cannot.
@@ -42,7 +43,9 @@ struct bench_renderer {
 // `threads` as in rhw_context_def, `isa` the highest to use; RHW_ISA_COUNT: that of RHW_ISA_BEST.
 bool bench_open_rhw(struct bench_renderer *renderer, int threads, enum rhw_isa isa, const char **why);
 // rhw, with shaders that are translated from the GLSL texts which a peer gets.
-bool bench_open_translated(struct bench_renderer *renderer, int threads, enum rhw_isa isa, const char **why);
+enum bench_translation { BENCH_INTERPRETER, BENCH_EMITTED };
+bool bench_open_translated(struct bench_renderer *renderer, enum bench_translation translation, int threads,
+                           enum rhw_isa isa, const char **why);
 // A Mesa driver by its name, "llvmpipe" or "softpipe". One at a time.
 bool bench_open_gles(struct bench_renderer *renderer, const char *driver, const char **why);
 

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: MIT
-// rhw under measurement, with translated shaders in place of those in C: the renderer of renderer_rhw.c, and programs that
-// are made of SPIR-V the first time a scene asks for them.
+// rhw under measurement, with shaders that are translated from GLSL in place of those in C: the renderer of
+// renderer_rhw.c with other programs. The interpreter's are made the first time a scene asks for them; emitted C is a
+// part of this program.
 #include "renderer.h"
 
+#include "measure.h"
 #include "renderer_rhw.h"
+#include "shaders_emitted.h"
+#include "shaders_link.h"
 #include "shaders_words.h"
 
 #include <stdio.h>
@@ -15,46 +19,32 @@ struct programs {
     void (*close)(struct bench_renderer *renderer);
 };
 
-// All programs have the same sets, so that draws of any shader fill them alike.
-static rhw_shader_program *link_stages(const rhw_shader *vertex, const rhw_shader *fragment, char *message)
-{
-    struct rhw_shader_layout layout[2 + BENCH_DRAW_TEXTURES];
-    rhw_shader_program *program = NULL;
-    for (uint32_t i = 0; i < 2 + BENCH_DRAW_TEXTURES; i++) {
-        layout[i] = (struct rhw_shader_layout){.set = i >= 2, .binding = i >= 2 ? i - 2 : i, .count = 1};
-    }
-    const struct rhw_shader_program_def def = {
-        .vertex = vertex, .fragment = fragment, .layout = layout, .layout_count = 2 + BENCH_DRAW_TEXTURES};
-    (void)rhw_shader_program_create(&def, &program, message);
-    return program;
-}
-
-static rhw_shader *translate(const struct bench_words *words, enum rhw_shader_stage stage, char *message)
-{
-    const struct rhw_shader_def def = {.stage = stage};
-    rhw_shader *shader;
-    (void)rhw_shader_create(words->words, words->size, &def, &shader, message);
-    return shader;
-}
-
-static const struct rhw_program *translated(void *user, enum bench_shader shader)
+static const struct rhw_program *interpreted(void *user, enum bench_shader shader)
 {
     struct programs *const programs = user;
-    struct bench_words words[2];
+    struct bench_renderer *const renderer = programs->renderer;
     char message[RHW_SHADER_MESSAGE] = "";
+    const double start = bench_now_ms();
     if (!programs->made[shader]) {
-        bench_shader_words(shader, &words[0], &words[1]);
-        rhw_shader *const vertex = translate(&words[0], RHW_SHADER_VERTEX, message);
-        rhw_shader *const fragment = vertex ? translate(&words[1], RHW_SHADER_FRAGMENT, message) : NULL;
-        programs->made[shader] = fragment ? link_stages(vertex, fragment, message) : NULL;
-        rhw_shader_destroy(vertex);
-        rhw_shader_destroy(fragment);
+        programs->made[shader] = bench_link_shader(shader, message);
+        renderer->shaders_ms += bench_now_ms() - start;
     }
     if (!programs->made[shader]) {
-        snprintf(programs->renderer->why, sizeof programs->renderer->why, "%s", message);
+        snprintf(renderer->why, sizeof renderer->why, "%s", message);
         return NULL;
     }
     return rhw_shader_program_get(programs->made[shader]);
+}
+
+static const struct rhw_program *emitted(void *user, enum bench_shader shader)
+{
+    struct programs *const programs = user;
+    const struct rhw_program *const program = bench_emitted_program(shader);
+    if (!program) {
+        snprintf(programs->renderer->why, sizeof programs->renderer->why,
+                 "a shader of it is not written as C");
+    }
+    return program;
 }
 
 static void close_translated(struct bench_renderer *renderer)
@@ -67,12 +57,23 @@ static void close_translated(struct bench_renderer *renderer)
     free(programs);
 }
 
-bool bench_open_translated(struct bench_renderer *renderer, int threads, enum rhw_isa isa, const char **why)
+// Return why there are no programs of a kind, or NULL.
+static const char *find_lack(enum bench_translation translation)
 {
     struct bench_words vertex, fragment;
     bench_shader_words(BENCH_SHADER_FLAT, &vertex, &fragment);
-    if (vertex.size == 0) {
-        *why = "this program was built without glslangValidator";
+    if (translation == BENCH_INTERPRETER) {
+        return vertex.size == 0 ? "this program was built without glslangValidator" : NULL;
+    }
+    return bench_emitted_program(BENCH_SHADER_FLAT) ? NULL
+                                                    : "this program was built without RHW_BENCH_EMITTED";
+}
+
+bool bench_open_translated(struct bench_renderer *renderer, enum bench_translation translation, int threads,
+                           enum rhw_isa isa, const char **why)
+{
+    *why = find_lack(translation);
+    if (*why) {
         return false;
     }
     struct programs *const programs = calloc(1, sizeof *programs);
@@ -83,10 +84,11 @@ bool bench_open_translated(struct bench_renderer *renderer, int threads, enum rh
     }
     struct bench_state *const state = renderer->state;
     *programs = (struct programs){.renderer = renderer, .close = renderer->close};
-    state->translated = translated;
+    state->translated = translation == BENCH_INTERPRETER ? interpreted : emitted;
     state->programs = programs;
     renderer->close = close_translated;
-    snprintf(renderer->name, sizeof renderer->name, "interpreter of rhw %s, %d thread%s", rhw_version(),
-             renderer->threads, renderer->threads == 1 ? "" : "s");
+    snprintf(renderer->name, sizeof renderer->name, "%s of rhw %s, %d thread%s",
+             translation == BENCH_INTERPRETER ? "interpreter" : "emitted C", rhw_version(), renderer->threads,
+             renderer->threads == 1 ? "" : "s");
     return true;
 }

@@ -16,6 +16,28 @@
 #include "glsl_log.h"
 #include "glsl_macro.h"
 
+// What glslang does by SPIRV-Tools where it is asked to validate, optimize or print. Nobody asks here, and 5 MB of
+// optimizer stay out of programs. They are weak, so that a version of glslang that declares others takes its own.
+namespace glslang {
+
+using Words = std::vector<unsigned>;
+
+__attribute__((weak)) void SpirvToolsDisassemble(std::ostream &, const Words &)
+{
+}
+__attribute__((weak)) void SpirvToolsValidate(const TIntermediate &, Words &, spv::SpvBuildLogger *, bool)
+{
+}
+__attribute__((weak)) void SpirvToolsTransform(const TIntermediate &, Words &, spv::SpvBuildLogger *,
+                                               const SpvOptions *)
+{
+}
+__attribute__((weak)) void SpirvToolsStripDebugInfo(const TIntermediate &, Words &, spv::SpvBuildLogger *)
+{
+}
+
+} // namespace glslang
+
 namespace {
 
 // Asks the caller for what a text includes.

@@ -6,6 +6,7 @@
 #ifndef RHW_SHADER_SPIRV_H
 #define RHW_SHADER_SPIRV_H
 
+#include "rhw.h"
 #include "shader.h"
 #include "shader_subgroup.h"
 #include "spirv.h"
@@ -58,12 +59,14 @@ static inline int32_t rhw_spirv_word(struct rhw_spirv_words words, uint32_t inde
     return index < words.count ? (int32_t)__atomic_load_n(&words.words[index], __ATOMIC_RELAXED) : 0;
 }
 
-/// Return a word of the push constants, or 0 where there is none.
+/// Return a word of the push constants. Bytes that they do not have are 0.
 static inline int32_t rhw_spirv_push_word(const struct rhw_shader_frame *frame, uint32_t index)
 {
     int32_t value = 0;
-    if (index < frame->push_size / 4) {
-        memcpy(&value, (const unsigned char *)frame->push_constants + 4 * (size_t)index, sizeof value);
+    if (index <= UINT32_MAX / 4 && 4 * index < frame->push_size) {
+        const uint32_t left = frame->push_size - 4 * index;
+        memcpy(&value, (const unsigned char *)frame->push_constants + 4 * (size_t)index,
+               left < sizeof value ? left : sizeof value);
     }
     return value;
 }
@@ -128,6 +131,76 @@ static inline void rhw_spirv_share(void *shared, uint32_t size, rhw_int index, r
         const int lane = __builtin_ctz(left);
         ((int32_t *)shared)[(uint32_t)index[lane]] = value[lane];
     }
+}
+
+/// Write the lowest `bits` bits, 8 or 16, of a value for each lane of `mask`, at a place in bytes. What else the word
+/// has stays, whoever writes it at the same time.
+static inline void rhw_spirv_store_part(const struct rhw_binding *binding, rhw_int offset, uint32_t more,
+                                        rhw_int value, int bits, rhw_int mask)
+{
+    for (unsigned left = (unsigned)rhw_mask_bits(mask); left != 0; left &= left - 1) {
+        const int lane = __builtin_ctz(left);
+        const uint32_t byte = (uint32_t)offset[lane] + more, shift = 8 * (byte & 3);
+        const uint32_t part = ((1u << bits) - 1) << shift;
+        rhw_binding_storage_atomic1(binding, RHW_STORAGE_AND, byte >> 2, (int32_t)~part);
+        rhw_binding_storage_atomic1(binding, RHW_STORAGE_OR, byte >> 2,
+                                    (int32_t)((uint32_t)value[lane] << shift & part));
+    }
+}
+
+/// Return a word for each lane of memory that the lanes have for themselves, or 0 where there is none.
+static inline rhw_int rhw_spirv_own(const rhw_int *own, uint32_t count, rhw_int index)
+{
+    rhw_int value = rhw_splat_int(0);
+    for (int lane = 0; lane < RHW_LANES; lane++) {
+        const uint32_t word = (uint32_t)index[lane];
+        value[lane] = word < count ? own[word][lane] : 0;
+    }
+    return value;
+}
+
+/// Return the word that all lanes name.
+static inline rhw_int rhw_spirv_own_alike(const rhw_int *own, uint32_t count, uint32_t index)
+{
+    return index < count ? own[index] : rhw_splat_int(0);
+}
+
+/// Write a word for each lane of `mask`.
+static inline void rhw_spirv_own_store(rhw_int *own, uint32_t count, rhw_int index, rhw_int value,
+                                       rhw_int mask)
+{
+    for (int lane = 0; lane < RHW_LANES; lane++) {
+        const uint32_t word = (uint32_t)index[lane];
+        if (mask[lane] && word < count) {
+            own[word][lane] = value[lane];
+        }
+    }
+}
+
+/// Write the word that all lanes name, in the lanes of `mask`.
+static inline void rhw_spirv_own_store_alike(rhw_int *own, uint32_t count, uint32_t index, rhw_int value,
+                                             rhw_int mask)
+{
+    if (index < count) {
+        own[index] = rhw_select_int(mask, value, own[index]);
+    }
+}
+
+/// Return a constant for each lane, or 0 where there is none.
+static inline rhw_int rhw_spirv_table(const int32_t *table, uint32_t count, rhw_int index)
+{
+    rhw_int value = rhw_splat_int(0);
+    for (int lane = 0; lane < RHW_LANES; lane++) {
+        const uint32_t word = (uint32_t)index[lane];
+        value[lane] = word < count ? table[word] : 0;
+    }
+    return value;
+}
+
+/// Return the constant that all lanes name.
+static inline rhw_int rhw_spirv_table_alike(const int32_t *table, uint32_t count, uint32_t index)
+{
+    return rhw_splat_int(index < count ? table[index] : 0);
 }
 
 /// Change the words at `index` by an operation, in the lanes of `mask`. Return the words as they were before.
@@ -264,6 +337,29 @@ static inline rhw_float rhw_spirv_partner(const struct rhw_fragment *fragment, i
     offset[1 - axis] = rhw_splat(0.0f);
     offset[axis] = rhw_float_from_int(1 - 2 * odd);
     return rhw_interpolate_at(fragment, component, w, offset);
+}
+
+/// Return a varying at an offset of pixels to the right and down. `w` is that of rhw_interpolate_at.
+static inline rhw_float rhw_spirv_input_at(const struct rhw_fragment *fragment, int component, int w,
+                                           rhw_float x, rhw_float y)
+{
+    rhw_float offset[2];
+    offset[0] = x;
+    offset[1] = y;
+    return rhw_interpolate_at(fragment, component, w, offset);
+}
+
+/// Return how many pixels a sample lies from the centre: to the right for axis 0, down for axis 1. A sample that the
+/// pass does not have lies at the centre.
+static inline rhw_float rhw_spirv_sample_place(const struct rhw_shader_frame *frame, rhw_int number, int axis)
+{
+    rhw_float place = rhw_splat(0.0f);
+    for (int lane = 0; lane < RHW_LANES; lane++) {
+        float position[2];
+        (void)rhw_sample_position((int)frame->samples, number[lane], position);
+        place[lane] = position[axis] - 0.5f;
+    }
+    return place;
 }
 
 // Images ---------------------------------------------------------------------------------------------

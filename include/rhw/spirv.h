@@ -9,7 +9,8 @@
 //
 // A module that breaks a rule of SPIR-V which the translation relies on, or that asks for what is not supported, is
 // refused with a message that names the instruction and its word. Accesses outside of buffers and images are harmless:
-// reads give 0, and writes do nothing.
+// reads give 0, and writes do nothing. Loops ask the program whether it gives the work up (rhw_context_set_goes_on). If
+// it has set nothing there, a draw or a dispatch with a loop that never ends does not return.
 #ifndef RHW_SPIRV_H
 #define RHW_SPIRV_H
 
@@ -75,14 +76,16 @@ RHW_API enum rhw_result rhw_shader_print(const void *words, size_t size, const s
 
 /// What a binding of a set is to a shader (Vulkan 1.3 §14.1, "Descriptor Types").
 enum rhw_shader_resource_kind {
-    RHW_SHADER_UNIFORM_BUFFER,   ///< binding: rhw_binding_of_buffer, rhw_binding_of_memory
-    RHW_SHADER_STORAGE_BUFFER,   ///< binding: rhw_binding_of_buffer, rhw_binding_of_memory
-    RHW_SHADER_SAMPLED_TEXTURE,  ///< combined image sampler: rhw_binding_of_texture with a sampler
-    RHW_SHADER_TEXTURE,          ///< sampled image: rhw_binding_of_texture
-    RHW_SHADER_SAMPLER,          ///< rhw_binding_of_sampler
-    RHW_SHADER_STORAGE_IMAGE,    ///< rhw_binding_of_image
-    RHW_SHADER_TEXEL_BUFFER,     ///< uniform or storage texel buffer: rhw_binding_of_texels
-    RHW_SHADER_INPUT_ATTACHMENT, ///< rhw_binding_of_texture without a sampler
+    RHW_SHADER_UNIFORM_BUFFER,  ///< binding: rhw_binding_of_buffer, rhw_binding_of_memory
+    RHW_SHADER_STORAGE_BUFFER,  ///< binding: rhw_binding_of_buffer, rhw_binding_of_memory
+    RHW_SHADER_SAMPLED_TEXTURE, ///< combined image sampler: rhw_binding_of_texture with a sampler
+    RHW_SHADER_TEXTURE,         ///< sampled image: rhw_binding_of_texture
+    RHW_SHADER_SAMPLER,         ///< rhw_binding_of_sampler
+    RHW_SHADER_STORAGE_IMAGE,   ///< rhw_binding_of_image
+    RHW_SHADER_TEXEL_BUFFER,    ///< uniform or storage texel buffer: rhw_binding_of_texels
+    /// rhw_binding_of_texture without a sampler, or with one. It is fetched at the fragment's pixel, in the fragment's
+    /// layer where it has several: subpassLoad gives what the texture held when the pass began.
+    RHW_SHADER_INPUT_ATTACHMENT,
 };
 
 /// What a type of a block is.
@@ -139,6 +142,7 @@ struct rhw_shader_variable {
     uint32_t location;
     uint32_t component;  ///< first of the components, 0..3
     uint32_t components; ///< how many, 1..4
+    uint32_t index; ///< 1: a fragment shader writes the second source of blending; 0: it is anything else
     bool is_integer;
     const char *name; ///< name in the module, or ""; lives as long as the shader
 };
@@ -230,6 +234,7 @@ struct rhw_shader_frame {
     const struct rhw_binding *sets[RHW_SHADER_MAX_SETS];
     const void *push_constants;
     uint32_t push_size; ///< bytes at `push_constants`
+    uint32_t samples; ///< samples of a pixel, for interpolateAtSample; 0 makes every sample the pixel's centre
 };
 
 #endif

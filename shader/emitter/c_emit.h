@@ -26,7 +26,7 @@ struct shader_emitter {
     uint32_t divergence;       // structures around this place whose lanes go different ways
     const char *group;         // the element that counts of what has one for each group
     bool is_dead;              // no lane comes to this place
-    bool counts_rounds;        // of loops
+    bool counts_rounds;        // rounds of loops are counted
     bool is_run_open;          // this place is in a loop over groups
     uint32_t run;              // number of the one that is open or comes next
     uint32_t wide_mask;        // number of the mask with which the run began

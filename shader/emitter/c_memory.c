@@ -38,8 +38,9 @@ static void write_input(struct shader_emitter *emitter, uint32_t value)
 {
     const struct shader_node *const node = &emitter->form->nodes[value];
     const struct shader_c_stage *const stage = emitter->stage;
-    const unsigned slot = node->immediate, component = stage->component_of[node->immediate];
-    const int w = stage->is_linear[slot / COMPONENTS] ? -1 : (int)stage->w_component;
+    const unsigned number = node->immediate, component = stage->component_of[number];
+    const unsigned slot = number % SHADER_IN_CENTROID;
+    const int w = stage->is_linear[number] ? -1 : (int)stage->w_component;
     const char *text;
     switch ((enum shader_op)node->op) {
     case SHADER_INPUT:
@@ -50,11 +51,28 @@ static void write_input(struct shader_emitter *emitter, uint32_t value)
         break;
     case SHADER_INPUT_DX: text = shader_format(emitter->memory, "f->ddx[%u]", component); break;
     case SHADER_INPUT_DY: text = shader_format(emitter->memory, "f->ddy[%u]", component); break;
+    case SHADER_INPUT_AT:
+        text = shader_format(emitter->memory, "rhw_spirv_input_at(f, %u, %d, %s, %s)", component, w,
+                             shader_c_argument(emitter, node->operands[0], true),
+                             shader_c_argument(emitter, node->operands[1], true));
+        break;
     default:
         text = shader_format(emitter->memory, "rhw_spirv_partner(f, %u, %d, %d)", component, w,
                              node->op == SHADER_INPUT_BESIDE ? 0 : 1);
     }
-    shader_c_define(emitter, value, text, interface_name(emitter, slot, SPIRV_INPUT));
+    shader_c_define(emitter, value, text,
+                    number < SHADER_IN_CLIP_DISTANCE ? interface_name(emitter, slot, SPIRV_INPUT) : "");
+}
+
+// The place of a sample from the centre of the pixel, along an axis.
+static void write_sample_place(struct shader_emitter *emitter, uint32_t value)
+{
+    const struct shader_node *const node = &emitter->form->nodes[value];
+    shader_c_define(emitter, value,
+                    shader_format(emitter->memory, "rhw_spirv_sample_place(frame, %s, %d)",
+                                  shader_c_argument(emitter, node->operands[0], false),
+                                  node->op == SHADER_SAMPLE_X ? 0 : 1),
+                    "");
 }
 
 static const char *fragment_built_in(struct shader_emitter *emitter, uint32_t number)
@@ -118,6 +136,17 @@ static void write_built_in(struct shader_emitter *emitter, uint32_t value)
     shader_c_define(emitter, value, text, "");
 }
 
+// Write what the fragment stage takes as the input of a number, if it does.
+static void write_varying(struct shader_emitter *emitter, uint32_t input, const char *number,
+                          const char *name)
+{
+    const unsigned component = emitter->stage->component_of[input];
+    if (component != NO_COMPONENT) {
+        shader_text_line(emitter->out, "v->varying[%u] = %s;%s%s", component, number, name[0] ? " // " : "",
+                         name);
+    }
+}
+
 static void write_vertex_output(struct shader_emitter *emitter, uint32_t slot, uint32_t value)
 {
     const char *const number = shader_c_argument(emitter, value, true);
@@ -139,10 +168,16 @@ static void write_vertex_output(struct shader_emitter *emitter, uint32_t slot, u
     } else if (slot == SHADER_OUT_LAYER || slot == SHADER_OUT_VIEWPORT) {
         shader_text_line(out, "v->%s = %s;", slot == SHADER_OUT_LAYER ? "layer" : "viewport_index",
                          shader_c_argument(emitter, value, false));
-    } else if (slot >= SHADER_OUT_VARYING && stage->component_of[slot - SHADER_OUT_VARYING] != NO_COMPONENT) {
+    } else if (slot >= SHADER_OUT_VARYING) {
         const uint32_t place = slot - SHADER_OUT_VARYING;
-        shader_text_line(out, "v->varying[%u] = %s; // %s", (unsigned)stage->component_of[place], number,
-                         interface_name(emitter, place, SPIRV_OUTPUT));
+        const char *const name = interface_name(emitter, place, SPIRV_OUTPUT);
+        write_varying(emitter, SHADER_IN_DECLARED + place, number, name);
+        write_varying(emitter, SHADER_IN_CENTROID + place, number, name);
+        write_varying(emitter, SHADER_IN_CENTER + place, number, name);
+    }
+    if (slot >= SHADER_OUT_CLIP_DISTANCE &&
+        slot < SHADER_OUT_LAYER) { // clip distances, and behind them cull distances
+        write_varying(emitter, SHADER_IN_CLIP_DISTANCE + slot - SHADER_OUT_CLIP_DISTANCE, number, "");
     }
 }
 
@@ -320,10 +355,53 @@ static bool is_written(const struct shader_emitter *emitter, uint32_t buffer)
             emitter->form->resources[node->immediate].type->is_buffer_block);
 }
 
+// Words of the lane and constants -------------------------------------------------------------------
+
+// Return the number of a word behind the first of a PRIVATE or TABLE.
+static const char *own_index(struct shader_emitter *emitter, const struct shader_node *node, bool is_alike)
+{
+    const uint32_t first = emitter->form->nodes[node->operands[0]].immediate;
+    return index_text(emitter, node->operands[1], node->immediate + 4 * first, is_alike);
+}
+
+static bool is_own(const struct shader_emitter *emitter, const struct shader_node *node)
+{
+    const uint16_t op = emitter->form->nodes[node->operands[0]].op;
+    return op == SHADER_PRIVATE || op == SHADER_TABLE;
+}
+
+static void write_own_load(struct shader_emitter *emitter, uint32_t value)
+{
+    const struct shader_node *const node = &emitter->form->nodes[value];
+    const bool is_private = emitter->form->nodes[node->operands[0]].op == SHADER_PRIVATE;
+    const bool is_alike = (emitter->form->nodes[node->operands[1]].flags & SHADER_UNIFORM) != 0;
+    const unsigned count = is_private ? emitter->form->private_count : emitter->form->table_count;
+    const char *const text = shader_format(
+        emitter->memory, "%s%s(%s, %u, %s)", is_private ? "rhw_spirv_own" : "rhw_spirv_table",
+        is_alike ? "_alike" : "", is_private ? "own" : "table", count, own_index(emitter, node, is_alike));
+    shader_c_define(emitter, value,
+                    emitter->plan.is_float[value]
+                        ? shader_format(emitter->memory, "rhw_float_from_bits(%s)", text)
+                        : text,
+                    "");
+}
+
+static void write_own_store(struct shader_emitter *emitter, const struct shader_node *node)
+{
+    const bool is_alike = (emitter->form->nodes[node->operands[1]].flags & SHADER_UNIFORM) != 0;
+    shader_text_line(emitter->out, "rhw_spirv_own_store%s(own, %u, %s, %s, m%u);", is_alike ? "_alike" : "",
+                     (unsigned)emitter->form->private_count, own_index(emitter, node, is_alike),
+                     shader_c_argument(emitter, node->operands[2], false), (unsigned)emitter->mask);
+}
+
 static void write_load(struct shader_emitter *emitter, uint32_t value)
 {
     struct shader_memory *const memory = emitter->memory;
     const struct shader_node *const node = &emitter->form->nodes[value];
+    if (is_own(emitter, node)) {
+        write_own_load(emitter, value);
+        return;
+    }
     const uint32_t buffer = shader_c_resource(emitter, node->operands[0]);
     const bool is_float = emitter->plan.is_float[value], is_one = shader_c_is_one_binding(emitter, buffer);
     if ((node->flags & SHADER_UNIFORM) && is_one) {
@@ -353,8 +431,25 @@ static void write_load(struct shader_emitter *emitter, uint32_t value)
                     "");
 }
 
+// Store the lowest 8 or 16 bits.
+static void write_store_part(struct shader_emitter *emitter, const struct shader_node *node)
+{
+    const uint32_t buffer = shader_c_resource(emitter, node->operands[0]);
+    const char *const offset = shader_c_argument(emitter, node->operands[1], false);
+    const char *const value = shader_c_argument(emitter, node->operands[2], false);
+    const char *lanes;
+    const char *const binding = shader_c_begin_bindings(emitter, buffer, SHADER_C_NONE, &lanes);
+    shader_text_line(emitter->out, "rhw_spirv_store_part(%s, %s, %u, %s, %d, %s);", binding, offset,
+                     (unsigned)node->immediate, value, node->op == SHADER_STORE8 ? 8 : 16, lanes);
+    shader_c_end_bindings(emitter, buffer, SHADER_C_NONE);
+}
+
 static void write_store(struct shader_emitter *emitter, const struct shader_node *node)
 {
+    if (is_own(emitter, node)) {
+        write_own_store(emitter, node);
+        return;
+    }
     const uint32_t buffer = shader_c_resource(emitter, node->operands[0]);
     const char *const index = index_text(emitter, node->operands[1], node->immediate, false);
     const char *const value = shader_c_argument(emitter, node->operands[2], false);
@@ -446,7 +541,10 @@ bool shader_c_write_access(struct shader_emitter *emitter, uint32_t place)
     case SHADER_INPUT_DX:
     case SHADER_INPUT_DY:
     case SHADER_INPUT_BESIDE:
-    case SHADER_INPUT_BELOW: write_input(emitter, value); return true;
+    case SHADER_INPUT_BELOW:
+    case SHADER_INPUT_AT: write_input(emitter, value); return true;
+    case SHADER_SAMPLE_X:
+    case SHADER_SAMPLE_Y: write_sample_place(emitter, value); return true;
     case SHADER_BUILT_IN: write_built_in(emitter, value); return true;
     case SHADER_OUTPUT:
         if (emitter->kind == RHW_SHADER_VERTEX) {
@@ -460,6 +558,8 @@ bool shader_c_write_access(struct shader_emitter *emitter, uint32_t place)
     case SHADER_WORKGROUP: write_shared(emitter, value); return true;
     case SHADER_LOAD: write_load(emitter, value); return true;
     case SHADER_STORE: write_store(emitter, node); return true;
+    case SHADER_STORE8:
+    case SHADER_STORE16: write_store_part(emitter, node); return true;
     case SHADER_LENGTH: write_length(emitter, value); return true;
     case SHADER_ATOMIC:
     case SHADER_IMAGE_ATOMIC: write_atomic(emitter, value); return true;

@@ -124,8 +124,10 @@ static void count_uses(struct shader_c_plan *plan)
             plan->uses[operands[o]]++;
             plan->last_use[operands[o]] = i;
         }
-        plan->has_effects = plan->has_effects || op == SHADER_STORE || op == SHADER_ATOMIC ||
-                            op == SHADER_IMAGE_STORE || op == SHADER_IMAGE_ATOMIC || op == SHADER_BARRIER;
+        const bool stores = op == SHADER_STORE && shader_changed(form, form->code[i]) == form->code[i];
+        plan->has_effects = plan->has_effects || stores || op == SHADER_STORE8 || op == SHADER_STORE16 ||
+                            op == SHADER_ATOMIC || op == SHADER_IMAGE_STORE || op == SHADER_IMAGE_ATOMIC ||
+                            op == SHADER_BARRIER;
     }
 }
 
@@ -222,7 +224,7 @@ static void find_kept(struct shader_memory *memory, struct shader_c_plan *plan)
 static bool is_constant_memory(const struct shader_c_plan *plan, uint32_t buffer)
 {
     const struct shader_node *const node = shader_resource_node(plan->form, buffer);
-    if (node->op == SHADER_PUSH) {
+    if (node->op == SHADER_PUSH || node->op == SHADER_TABLE) {
         return true;
     }
     return node->op == SHADER_BUFFER &&
@@ -246,7 +248,8 @@ static void find_hoisted(struct shader_c_plan *plan)
         const uint32_t *const operands = operands_at(plan, i, &count);
         for (uint32_t o = 0; o < count; o++) {
             is_once =
-                is_once && (form->nodes[operands[o]].op == SHADER_CONSTANT || plan->is_hoisted[operands[o]]);
+                is_once && (form->nodes[operands[o]].op == SHADER_CONSTANT ||
+                            form->nodes[operands[o]].op == SHADER_TABLE || plan->is_hoisted[operands[o]]);
         }
         plan->is_hoisted[value] = is_once || op == SHADER_PUSH || op == SHADER_WORKGROUP;
     }
@@ -288,6 +291,9 @@ static int gives_float(const struct shader_node *node)
     case SHADER_INPUT_DY:
     case SHADER_INPUT_BESIDE:
     case SHADER_INPUT_BELOW:
+    case SHADER_INPUT_AT:
+    case SHADER_SAMPLE_X:
+    case SHADER_SAMPLE_Y:
     case SHADER_PART: return 1;
     default: return node->op >= SHADER_SIN && node->op <= SHADER_FREXP_FRACTION;
     }
@@ -316,6 +322,7 @@ static bool takes_float(const struct shader_node *node, uint32_t number)
     case SHADER_INT_FROM_FLOAT:
     case SHADER_UINT_FROM_FLOAT:
     case SHADER_PACK_HALVES:
+    case SHADER_INPUT_AT:
     case SHADER_OUTPUT: return true;
     case SHADER_SAMPLE:
         return number >= SHADER_IMAGE_COORDINATES && number < SHADER_IMAGE_OFFSET &&

@@ -22,6 +22,13 @@ void shader_c_open_groups(struct shader_emitter *emitter)
     const bool has_cuts = emitter->plan.has_cuts;
     shader_text_line(emitter->out, "for (int g = 0; g < %s; g++) {", has_cuts ? "groups_here" : "count");
     shader_text_line(emitter->out, "%s[%s];", groups->group, has_cuts ? "first + g" : "g");
+    const unsigned own = emitter->form->private_count;
+    if (own > 0 && has_cuts) {
+        shader_text_line(emitter->out, "rhw_int *const own = own_of[g];");
+    } else if (own > 0) {
+        shader_text_line(emitter->out, "rhw_int own[%u];", own);
+        shader_text_line(emitter->out, "memset(own, 0, sizeof own);");
+    }
     if (!has_cuts) {
         shader_text_line(emitter->out, "const rhw_int m%u = %s;", (unsigned)emitter->mask, groups->mask);
         shader_text_line(emitter->out, "rhw_int alive = m%u;", (unsigned)emitter->mask);
@@ -32,6 +39,10 @@ void shader_c_open_groups(struct shader_emitter *emitter)
 static void begin_all(struct shader_emitter *emitter)
 {
     const struct shader_program *const form = emitter->form;
+    if (form->private_count > 0) {
+        shader_text_line(&emitter->arrays, "rhw_int own_of[GROUPS][%u];", (unsigned)form->private_count);
+        shader_text_line(emitter->out, "memset(own_of, 0, sizeof own_of);");
+    }
     shader_text_line(&emitter->arrays, "rhw_int alive_in[GROUPS];");
     shader_text_line(&emitter->arrays, "rhw_int lanes%u[GROUPS];", (unsigned)emitter->mask);
     shader_c_open_groups(emitter);
@@ -78,6 +89,19 @@ static void add_text(struct shader_text *file, const struct shader_text *text)
     shader_text_add(file, "%s", shader_text_bytes(text));
 }
 
+// Constants that indices pick from.
+static void write_table(const struct shader_emitter *emitter, struct shader_text *file)
+{
+    const struct shader_program *const form = emitter->form;
+    if (form->table_count > 0) {
+        shader_text_line(file, "static const int32_t table[%u] = {", (unsigned)form->table_count);
+        for (uint32_t i = 0; i < form->table_count; i++) {
+            shader_text_line(file, "(int32_t)0x%xu,", (unsigned)form->table[i]);
+        }
+        shader_text_line(file, "};");
+    }
+}
+
 static void write_function(const struct shader_emitter *emitter, struct shader_text *file)
 {
     const struct groups_of *const groups = &groups_of[emitter->kind];
@@ -88,6 +112,7 @@ static void write_function(const struct shader_emitter *emitter, struct shader_t
     if (emitter->kind == RHW_SHADER_COMPUTE) {
         shader_text_line(file, "const int count = w->count;");
     }
+    write_table(emitter, file);
     add_text(file, &emitter->once);
     if (emitter->plan.has_cuts) {
         shader_text_line(file, "enum { GROUPS = %u };", (unsigned)emitter->stage->batch);

@@ -16,8 +16,8 @@ struct shader_c_slot {
 struct shader_c_stage {
     const struct shader_program *form; // NULL: the program has no such stage
     const struct shader_c_slot *slots; // by resource
-    const uint8_t *component_of;       // number among the varyings, by location · 4 + component; 0xff: none
-    const bool *is_linear;             // by location: the input is flat or noperspective
+    const uint8_t *component_of;       // number among the varyings, by enum shader_input; 0xff: none
+    const bool *is_linear;             // by enum shader_input: it is flat or noperspective
     uint8_t w_component;               // varying that holds W of the position; 0xff: none
     uint32_t batch;                    // groups that go through the shader together where their order shows
     uint32_t target_count;

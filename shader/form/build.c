@@ -249,6 +249,7 @@ struct shader_program *shader_build(const struct shader_module *module,
                                 .memory = memory,
                                 .word = entry->word,
                                 .built = shader_take(memory, module->bound, sizeof(struct shader_built)),
+                                .usage = shader_take(memory, module->bound, sizeof(struct shader_usage)),
                                 .is_in_interface = shader_take(memory, module->bound, sizeof(bool)),
                                 .label_words = shader_take(memory, module->bound, sizeof(uint32_t)),
                                 .visited = shader_take(memory, module->bound, sizeof(uint32_t)),
@@ -256,6 +257,7 @@ struct shader_program *shader_build(const struct shader_module *module,
     memset(builder->output_homes, 0xff, SHADER_OUT_COUNT * sizeof(uint32_t));
     (void)shader_number(builder, 0); // node 0 means that an operand is not there
     find_labels(builder);
+    shader_find_usage(builder);
     for (uint32_t i = 0; i < entry->interface_count; i++) {
         builder->is_in_interface[entry->interface[i]] = true;
     }

@@ -11,7 +11,9 @@ enum shader_place_kind {
     SHADER_PLACE_HOMES,     // a variable whose scalars are homes
     SHADER_PLACE_INPUT,     // scalars that are known values
     SHADER_PLACE_BUFFER,    // memory of a binding, or of push constants
-    SHADER_PLACE_WORKGROUP, // bytes of the workgroup
+    SHADER_PLACE_WORKGROUP, // words of the workgroup; these three have a word for each scalar
+    SHADER_PLACE_PRIVATE,   // words of the lane
+    SHADER_PLACE_TABLE,     // constants
     SHADER_PLACE_RESOURCE,  // an image or sampler
     SHADER_PLACE_TEXEL      // a texel of an image, for atomics
 };
@@ -29,13 +31,16 @@ struct shader_place {
     const struct shader_type *type; // what is pointed to
     // HOMES and INPUT: of the whole variable, and where the constant part of the access begins
     uint32_t *scalars;
+    uint32_t scalar_count;
     uint32_t first;
     struct shader_dynamic_index dynamic[SHADER_MAX_DYNAMIC];
     uint32_t dynamic_count;
-    // BUFFER, WORKGROUP and RESOURCE
+    // BUFFER, WORKGROUP, PRIVATE, TABLE and RESOURCE
     uint32_t buffer;                    // node
     uint32_t bytes;                     // constant part of the offset
     uint32_t offset;                    // value: the rest of it, or SHADER_NO_VALUE
+    uint32_t strides;                   // or-ed strides of indices in `offset`
+    const uint32_t *constants;          // numbers that a TABLE has
     const struct shader_member *matrix; // member whose matrices have the layout that counts here
     uint32_t row_stride;                // bytes from row to row of a column of such a matrix; 0: 4
     uint32_t resource;                  // number in the program, of what is no element yet
@@ -86,12 +91,21 @@ struct shader_frame {
     struct shader_frame *caller;
 };
 
+// What a variable of a function or of the module, or a parameter that points to one, is used for (usage.c).
+struct shader_usage {
+    bool is_indexed;   // by an index that is not constant
+    bool is_changed;   // by something else than storing `constant`
+    uint32_t constant; // id of the only constant that is stored to it, or 0
+    uint32_t node;     // PRIVATE of the variable, or TABLE of what it holds or of the constant; 0: none yet
+};
+
 struct shader_builder {
     const struct shader_module *module;
     const struct shader_entry_point *entry;
     struct shader_program *program;
     struct shader_memory *memory;
     struct shader_built *built; // by id
+    struct shader_usage *usage; // by id
     bool *is_in_interface;      // by id: the entry point names the variable
     struct shader_facts facts;
     uint32_t *label_words; // by id: the word of its OpLabel
@@ -103,7 +117,8 @@ struct shader_builder {
     uint32_t word;   // instruction that is being translated
     struct shader_frame *frame;
     struct shader_construct *constructs;
-    uint32_t *output_homes;     // by enum shader_output, or SHADER_NO_VALUE
+    uint32_t *output_homes; // by enum shader_output, or SHADER_NO_VALUE
+    unsigned second_target; // what stands in the place of target 1 (build_interface.c)
 };
 
 // build.c ------------------------------------------------------------------------------------------
@@ -163,23 +178,48 @@ void shader_check_types(struct shader_builder *builder, const struct shader_type
 // Refuse an instruction of arithmetic whose operands are not of the types that it asks for.
 void shader_check_operands(struct shader_builder *builder, uint32_t opcode);
 
+// Return the type of a scalar, of the components of a vector or a matrix, or NULL.
+const struct shader_type *shader_scalar_type(const struct shader_type *type);
+
+// usage.c. Find what variables are used for.
+void shader_find_usage(struct shader_builder *builder);
+
 // build_flow.c. Translate a function that has its parameters. Return the homes of what it returns, or NULL.
 uint32_t *shader_build_function(struct shader_builder *builder, const struct shader_function *function);
-// build_arithmetic.c, build_composite.c, build_glsl.c, build_memory.c, build_image.c, build_subgroup.c. Return false
-// where the file does not have the instruction.
+// build_arithmetic.c, build_composite.c, build_glsl.c, build_image.c, build_memory.c, build_narrow.c, build_subgroup.c.
+// Return false where the file does not have the instruction.
 bool shader_build_arithmetic(struct shader_builder *builder, uint32_t opcode);
 bool shader_build_composite(struct shader_builder *builder, uint32_t opcode);
 void shader_build_glsl(struct shader_builder *builder);
 bool shader_build_memory(struct shader_builder *builder, uint32_t opcode);
 bool shader_build_image(struct shader_builder *builder, uint32_t opcode);
+bool shader_build_conversion(struct shader_builder *builder, uint32_t opcode);
+// build_interpolation.c. Return false where the instruction of GLSL.std.450 is none of its.
+bool shader_build_interpolation(struct shader_builder *builder, uint32_t instruction);
 bool shader_build_subgroup(struct shader_builder *builder, uint32_t opcode);
 // build_subgroup.c. Return a component of a built-in of subgroups, or SHADER_NO_VALUE where `number` is another one.
 uint32_t shader_subgroup_built_in(struct shader_builder *builder, int number, uint32_t component);
-// build_memory.c. Make the place of a variable.
+// build_variable.c. Make the place of a variable.
 void shader_build_variable(struct shader_builder *builder, const struct shader_variable *variable);
+// build_chain.c. Scalars of a type in memory that has a word for each, where arrays may be larger than values.
+uint64_t shader_packed_scalars(const struct shader_type *type);
+bool shader_is_packed(const struct shader_place *place);
+bool shader_is_in_memory(const struct shader_place *place);
+// Step to an element of an array, matrix or vector, or to a member of a structure.
+void shader_step(struct shader_builder *builder, struct shader_place *place, uint32_t index);
+void shader_build_access_chain(struct shader_builder *builder);
+// build_narrow.c. Load and store numbers of 8 and 16 bits in memory, whose offset in bytes is that of the place.
+uint32_t shader_load_narrow(struct shader_builder *builder, const struct shader_place *place,
+                            uint32_t offset);
+void shader_store_narrow(struct shader_builder *builder, const struct shader_place *place, uint32_t offset,
+                         uint32_t value);
+// build_memory.c. Read and write all scalars of a place, in order.
+void shader_read_place(struct shader_builder *builder, const struct shader_place *place, uint32_t *scalars);
+void shader_write_place(struct shader_builder *builder, const struct shader_place *place,
+                        const uint32_t *scalars);
 // Store the scalars of a value of a type where an id points to.
 void shader_store(struct shader_builder *builder, uint32_t pointer, const struct shader_type *type,
-                  uint32_t *scalars);
+                  const uint32_t *scalars);
 // build_interface.c. Make the place of an input or output, and write outputs at the end.
 void shader_build_interface_variable(struct shader_builder *builder, const struct shader_variable *variable,
                                      struct shader_place *place);

@@ -75,20 +75,11 @@ static const struct plain_operation plain_operations[] = {
     {SPIRV_OP_ConvertUToF, SHADER_FLOAT_FROM_UINT, 1, false, false},
     {SPIRV_OP_ConvertFToS, SHADER_INT_FROM_FLOAT, 1, false, false},
     {SPIRV_OP_ConvertFToU, SHADER_UINT_FROM_FLOAT, 1, false, false},
-    {SPIRV_OP_UConvert, SHADER_COPY, 1, false, false},
-    {SPIRV_OP_SConvert, SHADER_COPY, 1, false, false},
-    {SPIRV_OP_FConvert, SHADER_COPY, 1, false, false},
-    {SPIRV_OP_CopyObject, SHADER_COPY, 1, false, false},
-    {SPIRV_OP_CopyLogical, SHADER_COPY, 1, false, false},
-    {SPIRV_OP_Bitcast, SHADER_COPY, 1, false, false},
 };
 
 static uint32_t build_plain(struct shader_builder *builder, const struct plain_operation *plain, uint32_t a,
                             uint32_t b)
 {
-    if (plain->op == SHADER_COPY) {
-        return a;
-    }
     const uint32_t result = plain->is_swapped ? emit2(builder, (enum shader_op)plain->op, b, a)
                                               : emit2(builder, (enum shader_op)plain->op, a, b);
     return plain->is_negated ? not_value(builder, result) : result;
@@ -211,6 +202,15 @@ static uint32_t component(struct shader_builder *builder, uint32_t operand, uint
     return scalars[i];
 }
 
+// Numbers of 8 and 16 bits are loaded, stored, converted and chosen alone.
+static void refuse_narrow(const struct shader_builder *builder, const struct shader_type *type)
+{
+    const struct shader_type *const scalar = shader_scalar_type(type);
+    if (scalar && scalar->kind != SHADER_BOOL && scalar->bits < 32) {
+        shader_build_refuse(builder, "arithmetic on numbers of %d bits is not supported", scalar->bits);
+    }
+}
+
 static bool build_components(struct shader_builder *builder, uint32_t opcode)
 {
     const struct plain_operation *const plain = find_plain(opcode);
@@ -220,6 +220,10 @@ static bool build_components(struct shader_builder *builder, uint32_t opcode)
     }
     const struct shader_type *const type = shader_result_type(builder);
     uint32_t *const result = shader_new_scalars(builder, type);
+    if (opcode != SPIRV_OP_Select) {
+        refuse_narrow(builder, type);
+        refuse_narrow(builder, shader_type_of_value(builder, shader_operand(builder, 3)));
+    }
     for (uint32_t i = 0; i < type->scalars; i++) {
         uint32_t v[4] = {0, 0, 0, 0};
         if (plain) {

@@ -182,12 +182,30 @@ static void build_insert_dynamic(struct shader_builder *builder)
     shader_define(builder, result);
 }
 
+// A copy of a value, a pointer or a resource. A logical copy is of another type with the same parts.
+static void build_object_copy(struct shader_builder *builder, bool is_logical)
+{
+    const uint32_t id = shader_operand(builder, 3), result = shader_operand(builder, 2);
+    const struct shader_type *const type = shader_result_type(builder);
+    if (is_logical) {
+        if (shader_type_of_value(builder, id)->scalars != type->scalars) {
+            shader_build_refuse(builder, "id %u has other parts", (unsigned)id);
+        }
+        shader_define(builder, shader_scalars(builder, id));
+        return;
+    }
+    check_type(builder, shader_type_of_value(builder, id), type);
+    builder->built[result] = builder->built[id];
+}
+
 bool shader_build_composite(struct shader_builder *builder, uint32_t opcode)
 {
     switch (opcode) {
     case SPIRV_OP_CompositeConstruct: build_construct(builder); return true;
     case SPIRV_OP_CompositeExtract: build_extract(builder); return true;
     case SPIRV_OP_CompositeInsert: build_insert(builder); return true;
+    case SPIRV_OP_CopyObject: build_object_copy(builder, false); return true;
+    case SPIRV_OP_CopyLogical: build_object_copy(builder, true); return true;
     case SPIRV_OP_VectorShuffle: build_shuffle(builder); return true;
     case SPIRV_OP_VectorExtractDynamic: build_extract_dynamic(builder); return true;
     case SPIRV_OP_VectorInsertDynamic: build_insert_dynamic(builder); return true;

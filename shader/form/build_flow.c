@@ -9,6 +9,7 @@
 
 static void build_from(struct shader_builder *builder, uint32_t label, uint32_t stop);
 static void go_on_from(struct shader_builder *builder, uint32_t label, uint32_t stop);
+static bool comes_to(struct shader_builder *builder, uint32_t label, uint32_t stop);
 
 static void enter(struct shader_builder *builder)
 {
@@ -67,6 +68,9 @@ static void set_phis(struct shader_builder *builder, uint32_t label)
 {
     const uint32_t *const words = builder->module->words;
     const uint32_t from = builder->block, at = builder->word;
+    if (label >= builder->module->bound || builder->label_words[label] == 0) {
+        shader_build_refuse(builder, "id %u is no label", (unsigned)label);
+    }
     uint32_t first = builder->label_words[label] + 2, word = first;
     size_t count = 0, room = 0;
     uint32_t *values = NULL;
@@ -188,9 +192,9 @@ static void build_instruction(struct shader_builder *builder, uint32_t opcode)
         return;
     default: break;
     }
-    if (!shader_build_arithmetic(builder, opcode) && !shader_build_composite(builder, opcode) &&
-        !shader_build_memory(builder, opcode) && !shader_build_image(builder, opcode) &&
-        !shader_build_subgroup(builder, opcode)) {
+    if (!shader_build_conversion(builder, opcode) && !shader_build_arithmetic(builder, opcode) &&
+        !shader_build_composite(builder, opcode) && !shader_build_memory(builder, opcode) &&
+        !shader_build_image(builder, opcode) && !shader_build_subgroup(builder, opcode)) {
         shader_build_refuse(builder, "the instruction is not supported here");
     }
 }
@@ -351,10 +355,23 @@ static uint32_t list_cases(struct shader_builder *builder, uint32_t selector, ui
     return count;
 }
 
+// Phis of a case take what the block of the switch gives them in lanes that the selector brings there. Those that fall
+// into it come with what they have by then.
+static void set_phis_of_case(struct shader_builder *builder, const struct switch_case *to)
+{
+    if (has_phis(builder, to->label)) {
+        const size_t mark = builder->facts.log_count;
+        flow(builder, SHADER_IF, to->match);
+        set_phis(builder, to->label);
+        flow(builder, SHADER_END_IF, 0);
+        shader_forget_since(builder, mark);
+    }
+}
+
 // Lanes that are to run a case stand in a home of its own; a case that falls into another adds its lanes there.
 static void build_switch(struct shader_builder *builder, uint32_t merge)
 {
-    const uint32_t id = shader_operand(builder, 1), block = builder->block;
+    const uint32_t id = shader_operand(builder, 1);
     const struct shader_type *const type = shader_type_of_value(builder, id);
     if (type->kind != SHADER_INT) {
         shader_build_refuse(builder, "id %u is no integer", (unsigned)id);
@@ -372,10 +389,16 @@ static void build_switch(struct shader_builder *builder, uint32_t merge)
     for (uint32_t i = 0; i < count; i++) {
         runs[i] = shader_new_home(builder, 0);
         shader_set_home(builder, runs[i], cases[i].match);
+        set_phis_of_case(builder, &cases[i]);
     }
     for (uint32_t i = 0; i < count; i++) {
         const size_t inner = builder->facts.log_count;
-        flow(builder, SHADER_IF, shader_get_home(builder, runs[i]));
+        const uint32_t ran = shader_get_home(builder, runs[i]);
+        uint32_t bits;
+        if (shader_is_number(builder, ran, &bits) && bits == 0) {
+            continue; // no lane comes to this case
+        }
+        flow(builder, SHADER_IF, ran);
         const uint32_t body = begin(builder, SHADER_REGION);
         // What is behind can be fallen into.
         for (uint32_t t = count; t-- > i + 1;) {
@@ -383,8 +406,9 @@ static void build_switch(struct shader_builder *builder, uint32_t merge)
                 .merge = cases[t].label, .region = body, .fall = runs[t], .outer = builder->constructs};
             builder->constructs = &targets[t];
         }
-        builder->block = block;
-        build_from(builder, cases[i].label, merge);
+        if (comes_to(builder, cases[i].label, merge)) {
+            go_on_from(builder, cases[i].label, merge);
+        }
         leave(builder, region);
         builder->constructs = &construct;
         flow(builder, SHADER_END_REGION, 0);
@@ -400,6 +424,9 @@ static void build_switch(struct shader_builder *builder, uint32_t merge)
 static void build_return(struct shader_builder *builder, bool has_value)
 {
     const struct shader_frame *const frame = builder->frame;
+    if (!has_value && frame->result) {
+        shader_build_refuse(builder, "function %u returns a value", (unsigned)frame->function->id);
+    }
     if (has_value) {
         const uint32_t id = shader_operand(builder, 1);
         const struct shader_type *const type = frame->function->type->element;
@@ -538,14 +565,10 @@ static uint32_t loop_merge(const struct shader_builder *builder, uint32_t label,
     return 0;
 }
 
-// Control flow goes from the block under way to a label. Return true if it goes on there in the same construct, and
-// false if it has come to `stop`, or leaves a construct.
-static bool goes_to(struct shader_builder *builder, uint32_t label, uint32_t stop)
+// Control flow has come to a label. Return true if it goes on there in the same construct, and false if the label is
+// `stop`, or control flow leaves a construct for it.
+static bool comes_to(struct shader_builder *builder, uint32_t label, uint32_t stop)
 {
-    if (label >= builder->module->bound || builder->label_words[label] == 0) {
-        shader_build_refuse(builder, "id %u is no label", (unsigned)label);
-    }
-    set_phis(builder, label);
     if (label == stop) {
         return false;
     }
@@ -563,6 +586,13 @@ static bool goes_to(struct shader_builder *builder, uint32_t label, uint32_t sto
     }
     leave(builder, construct->region);
     return false;
+}
+
+// Control flow goes to a label from the block under way. Return what comes_to returns.
+static bool goes_to(struct shader_builder *builder, uint32_t label, uint32_t stop)
+{
+    set_phis(builder, label);
+    return comes_to(builder, label, stop);
 }
 
 // Translate from a label on, which control flow has come to, until it comes to `stop`.

@@ -636,7 +636,7 @@ void shader_build_glsl(struct shader_builder *builder)
     if (instruction < sizeof signatures / sizeof *signatures && signatures[instruction]) {
         shader_check_signature(builder, signatures[instruction], 5);
     }
-    if (build_vector(builder, instruction)) {
+    if (build_vector(builder, instruction) || shader_build_interpolation(builder, instruction)) {
         return;
     }
     switch (instruction) {

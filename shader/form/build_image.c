@@ -55,6 +55,9 @@ static struct image_access begin_access(struct shader_builder *builder, uint32_t
     }
     memset(access.values, 0, sizeof access.values);
     access.image = image_type_of(builder, shader_type_of_value(builder, id));
+    if (access.image->image.is_storage && access.image->image.is_multisampled) {
+        shader_build_refuse(builder, "storage images with several samples are not supported");
+    }
     access.values[SHADER_IMAGE_TEXTURE] = place->buffer;
     access.spatial = spatial_of(builder, access.image);
     access.coordinates = access.spatial;
@@ -264,13 +267,41 @@ static bool is_storage(const struct shader_type *image)
     return image->image.is_storage || image->image.dim == SPIRV_DIM_BUFFER;
 }
 
+// An input attachment is fetched at the fragment's pixel, with an offset (Vulkan 1.3, "Input Attachment Interface").
+static void build_attachment_read(struct shader_builder *builder)
+{
+    struct image_access access = begin_access(builder, 3, SHADER_DO_FETCH);
+    const uint32_t id = shader_operand(builder, 4);
+    const uint32_t *const offset = shader_scalars(builder, id);
+    if (builder->entry->model != SPIRV_FRAGMENT || shader_type_of_value(builder, id)->scalars != 2) {
+        shader_build_refuse(builder, "input attachments are read in fragments, at an offset of 2 components");
+    }
+    for (uint32_t i = 0; i < 2; i++) {
+        const uint32_t coordinate = shader_emit_with(builder, SHADER_BUILT_IN, SHADER_IN_COORD + i, 0, 0, 0);
+        const uint32_t pixel = shader_emit(builder, SHADER_INT_FROM_FLOAT, coordinate, 0, 0);
+        access.values[SHADER_IMAGE_COORDINATES + i] = shader_emit(builder, SHADER_IADD, pixel, offset[i], 0);
+    }
+    access.values[SHADER_IMAGE_COORDINATES + 2] =
+        shader_emit_with(builder, SHADER_BUILT_IN, SHADER_IN_LAYER, 0, 0, 0);
+    (void)take_operands(builder, &access, 5);
+    finish_access(builder, &access);
+}
+
 static void build_fetch(struct shader_builder *builder, enum shader_image_operation does)
 {
+    const struct shader_type *const type = shader_type_of_value(builder, shader_operand(builder, 3));
+    if (type->kind == SHADER_IMAGE && type->image.dim == SPIRV_DIM_SUBPASS) {
+        build_attachment_read(builder);
+        return;
+    }
     const struct shader_type *const image =
         image_type_of(builder, shader_type_of_value(builder, shader_operand(builder, 3)));
     struct image_access access = begin_access(builder, 3, is_storage(image) ? SHADER_DO_LOAD : does);
     take_coordinates(builder, &access, shader_operand(builder, 4), false);
     take_operands(builder, &access, 5);
+    if (access.values[SHADER_IMAGE_LOD] == 0) { // level 0, which is that of a fetch without one
+        access.flags &= ~(uint32_t)SHADER_IMAGE_HAS_LOD;
+    }
     for (uint32_t i = 0; (access.flags & SHADER_IMAGE_HAS_OFFSET) && i < access.spatial; i++) {
         uint32_t *const at = &access.values[SHADER_IMAGE_COORDINATES + i];
         *at = shader_emit(builder, SHADER_IADD, *at, access.values[SHADER_IMAGE_OFFSET + i], 0);

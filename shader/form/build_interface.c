@@ -2,7 +2,10 @@
 // Inputs and outputs of a stage: by location, four components each, or built in.
 #include "build.h"
 
-enum { COMPONENTS = 4, MAX_LOCATIONS = 32 };
+enum { COMPONENTS = 4, MAX_LOCATIONS = 32, MAX_ATTRIBUTES = 16, MAX_TARGETS = 8 };
+
+// What stands in the place of target 1.
+enum { IS_TARGET = 1, IS_SECOND_SOURCE = 2 };
 
 enum stage_set { IN_VERTEX = 1, IN_FRAGMENT = 2, IN_COMPUTE = 4 };
 
@@ -26,6 +29,8 @@ static const struct built_in built_in_inputs[] = {
     {SPIRV_POINT_COORD, SHADER_IN_POINT_COORD, 2, SHADER_FLOAT, IN_FRAGMENT},
     {SPIRV_LAYER, SHADER_IN_LAYER, 1, SHADER_INT, IN_FRAGMENT},
     {SPIRV_VIEWPORT_INDEX, SHADER_IN_VIEWPORT, 1, SHADER_INT, IN_FRAGMENT},
+    {SPIRV_CLIP_DISTANCE, SHADER_IN_CLIP_DISTANCE, 8, SHADER_FLOAT, IN_FRAGMENT},
+    {SPIRV_CULL_DISTANCE, SHADER_IN_CULL_DISTANCE, 8, SHADER_FLOAT, IN_FRAGMENT},
     {SPIRV_NUM_WORKGROUPS, SHADER_IN_WORKGROUP_COUNT, 3, SHADER_INT, IN_COMPUTE},
     {SPIRV_WORKGROUP_ID, SHADER_IN_WORKGROUP, 3, SHADER_INT, IN_COMPUTE},
     {SPIRV_LOCAL_INVOCATION_ID, SHADER_IN_LOCAL, 3, SHADER_INT, IN_COMPUTE},
@@ -44,6 +49,16 @@ static const struct built_in built_in_outputs[] = {
     {SPIRV_SAMPLE_MASK, SHADER_OUT_SAMPLE_MASK, 1, SHADER_INT, IN_FRAGMENT},
 };
 
+// Names of those that modules ask for and that are not here, for messages.
+static const struct {
+    enum spirv_built_in number;
+    const char *name;
+} other_built_ins[] = {
+    {SPIRV_BASE_VERTEX, "BaseVertex"},
+    {SPIRV_BASE_INSTANCE, "BaseInstance"},
+    {SPIRV_DRAW_INDEX, "DrawIndex"},
+};
+
 // One input or output as it is walked: scalars of the variable get slots.
 struct interface_walk {
     struct shader_builder *builder;
@@ -58,6 +73,16 @@ static uint32_t output_home(struct shader_builder *builder, uint32_t slot)
         builder->output_homes[slot] = shader_new_home(builder, 0);
     }
     return builder->output_homes[slot];
+}
+
+_Noreturn static void refuse_built_in(const struct shader_builder *builder, int number, bool is_output)
+{
+    const char *name = "";
+    for (size_t i = 0; i < sizeof other_built_ins / sizeof *other_built_ins; i++) {
+        name = (int)other_built_ins[i].number == number ? other_built_ins[i].name : name;
+    }
+    shader_build_refuse(builder, "built-in %d%s%s is not supported in this stage as an %s", number,
+                        *name ? ", " : "", name, is_output ? "output" : "input");
 }
 
 static void add_scalar(struct interface_walk *walk, enum shader_op input, uint32_t slot)
@@ -113,46 +138,80 @@ static void add_built_in(struct interface_walk *walk, const struct shader_type *
                                 (unsigned)table[i].components);
         }
         for (uint32_t c = 0; c < type->scalars; c++) {
-            add_scalar(walk, SHADER_BUILT_IN, (uint32_t)table[i].slot + c);
+            // Distances of fragments are interpolated as other inputs are.
+            const bool is_varying = table[i].slot >= SHADER_IN_CLIP_DISTANCE && !is_output;
+            add_scalar(walk, is_varying ? SHADER_INPUT : SHADER_BUILT_IN, (uint32_t)table[i].slot + c);
         }
         return;
     }
-    shader_build_refuse(builder, "built-in %d is not supported in this stage as %s", number,
-                        is_output ? "an output" : "an input");
+    refuse_built_in(builder, number, is_output);
+}
+
+// The first slot of outputs. A fragment shader's output of index 1 is the second source of blending (Vulkan 1.3,
+// "Dual-Source Blending"), which librhw takes where target 1 would be.
+static uint32_t output_slot(const struct interface_walk *walk, uint32_t location)
+{
+    struct shader_builder *const builder = walk->builder;
+    const bool is_second = walk->variable->index == 1;
+    if (builder->entry->model != SPIRV_FRAGMENT) {
+        return SHADER_OUT_VARYING + location * COMPONENTS;
+    }
+    if (location >= MAX_TARGETS || walk->variable->index > 1 || (is_second && location != 0)) {
+        shader_build_refuse(
+            builder, "location %u, index %d is no target: there are %d, and index 1 of the first",
+            (unsigned)location, walk->variable->index < 0 ? 0 : walk->variable->index, MAX_TARGETS);
+    }
+    builder->second_target |= is_second ? IS_SECOND_SOURCE : location == 1 ? IS_TARGET : 0;
+    if (builder->second_target == (IS_TARGET | IS_SECOND_SOURCE)) {
+        shader_build_refuse(builder, "with an output of index 1 there is one target");
+    }
+    return SHADER_OUT_VARYING + (is_second ? 1 : location) * COMPONENTS;
+}
+
+// Give the scalars of a number or vector their slots.
+static void add_components(struct interface_walk *walk, const struct shader_type *type, uint32_t location,
+                           uint32_t component, uint8_t interpolation)
+{
+    struct shader_builder *const builder = walk->builder;
+    const bool is_output = walk->variable->storage == SPIRV_OUTPUT;
+    const uint32_t scalars = type->kind == SHADER_VECTOR ? type->count : 1;
+    const int locations = !is_output && stage_of(builder) == IN_VERTEX ? MAX_ATTRIBUTES : MAX_LOCATIONS;
+    if (location >= (uint32_t)locations || component >= COMPONENTS || component + scalars > COMPONENTS) {
+        shader_build_refuse(builder, "location %u, component %u is not among %d locations of %d components",
+                            (unsigned)location, (unsigned)component, locations, COMPONENTS);
+    }
+    const uint32_t first = (is_output ? output_slot(walk, location) : location * COMPONENTS) + component;
+    for (uint32_t i = 0; i < scalars; i++) {
+        if (!is_output) {
+            const bool is_integer = shader_scalar_type(type)->kind == SHADER_INT;
+            builder->program->interpolation[first + i] = is_integer ? SHADER_FLAT : interpolation;
+        }
+        add_scalar(walk, SHADER_INPUT, first + i);
+    }
 }
 
 // Give the scalars of a type their slots from a location on. Return the location behind.
 static uint32_t add_located(struct interface_walk *walk, const struct shader_type *type, uint32_t location,
-                            uint32_t component)
+                            uint32_t component, uint8_t interpolation)
 {
-    struct shader_builder *const builder = walk->builder;
-    const uint32_t scalars = type->kind == SHADER_VECTOR ? type->count : 1;
-    if (location >= MAX_LOCATIONS || component + scalars > COMPONENTS) {
-        shader_build_refuse(builder, "location %u, component %u is not among %d locations of %d components",
-                            (unsigned)location, (unsigned)component, MAX_LOCATIONS, COMPONENTS);
-    }
     switch (type->kind) {
     case SHADER_MATRIX:
     case SHADER_ARRAY:
         for (uint32_t i = 0; i < type->count; i++) {
-            location = add_located(walk, type->element, location, component);
+            location = add_located(walk, type->element, location, component, interpolation);
         }
         return location;
     case SHADER_STRUCT:
         for (uint32_t i = 0; i < type->count; i++) {
-            location = add_located(walk, type->members[i].type, location, 0);
+            const uint8_t own = type->members[i].interpolation;
+            location = add_located(walk, type->members[i].type, location, 0, own ? own : interpolation);
         }
         return location;
-    default: break;
+    case SHADER_VECTOR:
+    case SHADER_INT:
+    case SHADER_FLOAT: add_components(walk, type, location, component, interpolation); return location + 1;
+    default: shader_build_refuse(walk->builder, "an input or output is made of numbers");
     }
-    if (component_kind(type) != SHADER_FLOAT && component_kind(type) != SHADER_INT) {
-        shader_build_refuse(builder, "inputs and outputs at locations are floats and integers");
-    }
-    const uint32_t first = walk->variable->storage == SPIRV_OUTPUT ? SHADER_OUT_VARYING : 0;
-    for (uint32_t i = 0; i < scalars; i++) {
-        add_scalar(walk, SHADER_INPUT, first + location * COMPONENTS + component + i);
-    }
-    return location + 1;
 }
 
 void shader_build_interface_variable(struct shader_builder *builder, const struct shader_variable *variable,
@@ -178,16 +237,20 @@ void shader_build_interface_variable(struct shader_builder *builder, const struc
                 continue;
             }
             location = member->location < 0 ? location : (uint32_t)member->location;
-            location = add_located(&walk, member->type, location, (uint32_t)member->component);
+            const uint8_t own = member->interpolation;
+            location = add_located(&walk, member->type, location, (uint32_t)member->component,
+                                   own ? own : variable->interpolation);
         }
     } else if (variable->location >= 0) {
         (void)add_located(&walk, type, (uint32_t)variable->location,
-                          variable->component < 0 ? 0 : (uint32_t)variable->component);
+                          variable->component < 0 ? 0 : (uint32_t)variable->component,
+                          variable->interpolation);
     } else {
         shader_build_refuse(builder, "the variable has no location and is not built in");
     }
     place->kind = variable->storage == SPIRV_OUTPUT ? SHADER_PLACE_HOMES : SHADER_PLACE_INPUT;
     place->scalars = walk.scalars;
+    place->scalar_count = type->scalars;
     for (uint32_t i = 0; variable->storage == SPIRV_OUTPUT && variable->initial && i < type->scalars; i++) {
         shader_set_home(builder, place->scalars[i], shader_number(builder, variable->initial->scalars[i]));
     }

@@ -1,244 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Pointers and what is loaded and stored through them. Pointers are logical: each is a place that is known when the
-// shader is translated, with indices that may be known when it runs.
+// What is loaded and stored through pointers.
 #include "build.h"
-
-enum { MAX_CANDIDATES = 1024, MAX_VARIABLES = 4096, SHADER_MAX_WORKGROUP = 32768 };
-
-// Scalars of a type in the memory of a workgroup, where arrays may be larger than values.
-static uint64_t shared_scalars(const struct shader_type *type)
-{
-    const uint64_t all =
-        type->kind == SHADER_ARRAY ? shared_scalars(type->element) * type->count : type->scalars;
-    return all < SHADER_MAX_WORKGROUP ? all : SHADER_MAX_WORKGROUP;
-}
-
-// Variables ------------------------------------------------------------------------------------------
-
-static uint32_t add_resource(struct shader_builder *builder, const struct shader_variable *variable,
-                             const struct shader_type *element, uint32_t count)
-{
-    struct shader_program *const program = builder->program;
-    if (program->resource_count == MAX_VARIABLES) {
-        shader_build_refuse(builder, "the module has more than %d buffers, images and samplers",
-                            MAX_VARIABLES);
-    }
-    if (!program->resources) {
-        program->resources =
-            shader_take(builder->memory, builder->module->variable_count, sizeof *program->resources);
-    }
-    program->resources[program->resource_count] =
-        (struct shader_resource){.variable = variable, .type = element, .count = count};
-    return program->resource_count++;
-}
-
-// The variable is a resource, or an array of resources.
-static void build_resource(struct shader_builder *builder, const struct shader_variable *variable,
-                           struct shader_place *place)
-{
-    const struct shader_type *element = variable->type;
-    uint32_t count = 1;
-    place->is_array_of_resources = element->kind == SHADER_ARRAY || element->kind == SHADER_RUNTIME_ARRAY;
-    if (place->is_array_of_resources) {
-        count = element->kind == SHADER_ARRAY ? element->count : 0;
-        element = element->element;
-    }
-    const bool is_buffer = element->kind == SHADER_STRUCT;
-    const bool is_image = element->kind == SHADER_IMAGE || element->kind == SHADER_SAMPLER ||
-                          element->kind == SHADER_SAMPLED_IMAGE;
-    if ((!is_buffer && !is_image) || is_image != (variable->storage == SPIRV_UNIFORM_CONSTANT)) {
-        shader_build_refuse(builder, "a resource is a block in a buffer, an image or a sampler");
-    }
-    place->kind = is_buffer ? SHADER_PLACE_BUFFER : SHADER_PLACE_RESOURCE;
-    place->is_read_only = variable->storage == SPIRV_UNIFORM && !element->is_buffer_block;
-    place->resource = add_resource(builder, variable, element, count);
-    if (!place->is_array_of_resources) {
-        place->buffer =
-            shader_emit_with(builder, SHADER_BUFFER, place->resource, shader_number(builder, 0), 0, 0);
-    }
-}
-
-// A variable of the workgroup lies in its memory, scalar behind scalar.
-static void build_shared(struct shader_builder *builder, struct shader_place *place)
-{
-    struct shader_program *const program = builder->program;
-    if (place->type->scalars == 0 && place->type->kind != SHADER_ARRAY) {
-        shader_build_refuse(builder, "the variable holds no values");
-    }
-    const uint64_t bytes = program->workgroup_size + 4 * shared_scalars(place->type);
-    if (bytes > SHADER_MAX_WORKGROUP) {
-        shader_build_refuse(builder, "a workgroup has at most %d bytes of memory", SHADER_MAX_WORKGROUP);
-    }
-    place->kind = SHADER_PLACE_WORKGROUP;
-    place->buffer = shader_emit_with(builder, SHADER_WORKGROUP, 0, 0, 0, 0);
-    place->bytes = program->workgroup_size;
-    program->workgroup_size = (uint32_t)bytes;
-}
-
-void shader_build_variable(struct shader_builder *builder, const struct shader_variable *variable)
-{
-    const struct shader_type *const type = variable->type;
-    struct shader_place place = {.type = type, .offset = SHADER_NO_VALUE};
-    switch (variable->storage) {
-    case SPIRV_UNIFORM_CONSTANT:
-    case SPIRV_UNIFORM:
-    case SPIRV_STORAGE_BUFFER: build_resource(builder, variable, &place); break;
-    case SPIRV_PUSH_CONSTANT:
-        place.kind = SHADER_PLACE_BUFFER;
-        place.is_read_only = true;
-        place.buffer = shader_emit_with(builder, SHADER_PUSH, 0, 0, 0, 0);
-        break;
-    case SPIRV_INPUT:
-    case SPIRV_OUTPUT: shader_build_interface_variable(builder, variable, &place); break;
-    case SPIRV_WORKGROUP: build_shared(builder, &place); break;
-    default:
-        place.kind = SHADER_PLACE_HOMES;
-        place.scalars = shader_new_scalars(builder, type);
-        for (uint32_t i = 0; i < type->scalars; i++) {
-            const uint32_t initial = variable->initial ? variable->initial->scalars[i] : 0;
-            place.scalars[i] = shader_new_home(builder, initial);
-            // A variable of a function is new in every call and every round of a loop.
-            if (variable->storage == SPIRV_FUNCTION && variable->initial) {
-                shader_set_home(builder, place.scalars[i], shader_number(builder, initial));
-            }
-        }
-    }
-    struct shader_built *const built = &builder->built[variable->id];
-    built->place = shader_take(builder->memory, 1, sizeof place);
-    *built->place = place;
-    built->type = shader_type_of_id(builder->module, builder->word, builder->module->ids[variable->id].type);
-    built->scalars = NULL;
-}
-
-// Access chains --------------------------------------------------------------------------------------
-
-static uint32_t add_offset(struct shader_builder *builder, uint32_t offset, uint32_t more)
-{
-    return offset == SHADER_NO_VALUE ? more : shader_emit(builder, SHADER_IADD, offset, more, 0);
-}
-
-// Step `index` times `bytes` on in memory.
-static void step_bytes(struct shader_builder *builder, struct shader_place *place, uint32_t index,
-                       uint32_t bytes)
-{
-    uint32_t number;
-    if (bytes == 0) {
-        shader_build_refuse(builder, "the array or matrix has no stride");
-    }
-    if (shader_is_number(builder, index, &number)) {
-        const uint64_t offset = place->bytes + (uint64_t)number * bytes;
-        if (offset > INT32_MAX) {
-            shader_build_refuse(builder, "element %u lies beyond %d bytes", (unsigned)number, INT32_MAX);
-        }
-        place->bytes = (uint32_t)offset;
-        return;
-    }
-    const uint32_t more = shader_emit(builder, SHADER_IMUL, index, shader_number(builder, bytes), 0);
-    place->offset = add_offset(builder, place->offset, more);
-}
-
-// Pick an element in memory that has a layout.
-static void step_in_memory(struct shader_builder *builder, struct shader_place *place, uint32_t index)
-{
-    const struct shader_type *const type = place->type;
-    uint32_t stride = 0, number;
-    if (type->kind != SHADER_RUNTIME_ARRAY && shader_is_number(builder, index, &number) &&
-        number >= type->count) {
-        shader_build_refuse(builder, "there is no element %u of %u", (unsigned)number, (unsigned)type->count);
-    }
-    if (place->kind == SHADER_PLACE_WORKGROUP) {
-        step_bytes(builder, place, index, 4 * (uint32_t)shared_scalars(type->element));
-        return;
-    }
-    switch (type->kind) {
-    case SHADER_ARRAY:
-    case SHADER_RUNTIME_ARRAY: stride = type->stride; break;
-    case SHADER_MATRIX:
-        stride = place->matrix && place->matrix->is_row_major ? 4
-                 : place->matrix                              ? place->matrix->matrix_stride
-                                                              : 0;
-        place->row_stride = place->matrix && place->matrix->is_row_major ? place->matrix->matrix_stride : 4;
-        break;
-    default: stride = place->row_stride ? place->row_stride : 4; break;
-    }
-    step_bytes(builder, place, index, stride);
-}
-
-// Pick an element among scalars.
-static void step_in_scalars(struct shader_builder *builder, struct shader_place *place, uint32_t index)
-{
-    const struct shader_type *const type = place->type;
-    uint32_t number;
-    if (shader_is_number(builder, index, &number)) {
-        if (number >= type->count) {
-            shader_build_refuse(builder, "there is no element %u of %u", (unsigned)number,
-                                (unsigned)type->count);
-        }
-        place->first += number * type->element->scalars;
-        return;
-    }
-    if (place->dynamic_count == SHADER_MAX_DYNAMIC) {
-        shader_build_refuse(builder, "more than %d indices are not constant", SHADER_MAX_DYNAMIC);
-    }
-    place->dynamic[place->dynamic_count++] =
-        (struct shader_dynamic_index){index, type->count, type->element->scalars};
-}
-
-static void step_in_struct(struct shader_builder *builder, struct shader_place *place, uint32_t index)
-{
-    uint32_t number;
-    if (!shader_is_number(builder, index, &number) || number >= place->type->count) {
-        shader_build_refuse(builder, "a member of a structure is named by a constant below %u",
-                            (unsigned)place->type->count);
-    }
-    const struct shader_member *const member = &place->type->members[number];
-    place->first += member->first;
-    place->bytes += place->kind == SHADER_PLACE_WORKGROUP ? 4 * member->first : member->offset;
-    place->matrix = member;
-    place->type = member->type;
-}
-
-static void step(struct shader_builder *builder, struct shader_place *place, uint32_t id)
-{
-    const uint32_t index = shader_scalars(builder, id)[0];
-    const struct shader_type *const type = place->type;
-    if (shader_type_of_value(builder, id)->kind != SHADER_INT) {
-        shader_build_refuse(builder, "index %u is no integer", (unsigned)id);
-    }
-    if (place->is_array_of_resources) {
-        place->buffer = shader_emit_with(builder, SHADER_BUFFER, place->resource, index, 0, 0);
-        place->is_array_of_resources = false;
-        place->type = type->element;
-        return;
-    }
-    if (type->kind == SHADER_STRUCT) {
-        step_in_struct(builder, place, index);
-        return;
-    }
-    if (type->kind != SHADER_VECTOR && type->kind != SHADER_MATRIX && type->kind != SHADER_ARRAY &&
-        (type->kind != SHADER_RUNTIME_ARRAY || place->kind != SHADER_PLACE_BUFFER)) {
-        shader_build_refuse(builder, "index %u picks from what has no elements", (unsigned)id);
-    }
-    if (place->kind == SHADER_PLACE_BUFFER || place->kind == SHADER_PLACE_WORKGROUP) {
-        step_in_memory(builder, place, index);
-    } else {
-        step_in_scalars(builder, place, index);
-    }
-    place->type = type->element;
-}
-
-static void build_access_chain(struct shader_builder *builder)
-{
-    struct shader_place place = *shader_place_of(builder, shader_operand(builder, 3));
-    for (uint32_t i = 4; i < shader_word_count(builder); i++) {
-        step(builder, &place, shader_operand(builder, i));
-    }
-    const struct shader_type *const type = shader_result_type(builder);
-    if (type->kind != SHADER_POINTER || type->element != place.type) {
-        shader_build_refuse(builder, "the pointer is not of the type of what it points to");
-    }
-    shader_define_place(builder, &place);
-}
 
 // Scalars --------------------------------------------------------------------------------------------
 
@@ -290,41 +52,47 @@ static void write_dynamic(struct shader_builder *builder, const struct shader_pl
     }
 }
 
-static void check_candidates(const struct shader_builder *builder, const struct shader_place *place)
+// Memory ---------------------------------------------------------------------------------------------
+
+// Refuse a scalar in memory with a layout that has no place in it.
+static void check_layout(const struct shader_builder *builder, const struct shader_place *place)
 {
-    uint64_t candidates = place->type->scalars;
-    for (uint32_t i = 0; i < place->dynamic_count; i++) {
-        candidates *= place->dynamic[i].count;
-        if (candidates > MAX_CANDIDATES) {
-            shader_build_refuse(builder, "indices that are not constant pick from more than %d numbers",
-                                MAX_CANDIDATES);
-        }
+    if (place->type->kind == SHADER_BOOL) {
+        shader_build_refuse(builder, "there are no bools in memory that has a layout");
+    }
+    const uint32_t size = (uint32_t)place->type->bits / 8;
+    if (((place->bytes | place->strides) & (size - 1)) != 0) {
+        shader_build_refuse(builder, "a number of %d bits does not lie at a multiple of %u bytes",
+                            place->type->bits, (unsigned)size);
     }
 }
 
-// Memory ---------------------------------------------------------------------------------------------
-
-// Load or store a scalar.
-static uint32_t access_word(struct shader_builder *builder, const struct shader_place *place,
-                            const uint32_t *value)
+static bool is_narrow(const struct shader_place *place)
 {
-    const bool is_bool = place->type->kind == SHADER_BOOL;
-    if (!is_bool && place->bytes % 4 != 0) {
-        shader_build_refuse(builder, "a number of 32 bits does not lie at a multiple of 4 bytes, but at %u",
-                            (unsigned)place->bytes);
-    }
-    if (is_bool && place->kind != SHADER_PLACE_WORKGROUP) {
-        shader_build_refuse(builder, "there are no bools in memory that has a layout");
-    }
-    if (!is_bool && place->type->bits != 32) {
-        shader_build_refuse(builder, "memory of %d bits is not supported", place->type->bits);
-    }
+    return !shader_is_packed(place) && place->type->bits < 32;
+}
+
+// Return a scalar of a table at a place that is known; outside it is 0.
+static uint32_t constant_at(struct shader_builder *builder, const struct shader_place *place)
+{
+    const uint32_t scalar = place->bytes / 4, count = builder->program->nodes[place->buffer].operands[0];
+    return shader_number(builder, scalar < count ? place->constants[scalar] : 0);
+}
+
+static uint32_t load_scalar(struct shader_builder *builder, const struct shader_place *place)
+{
     const uint32_t offset = place->offset == SHADER_NO_VALUE ? shader_number(builder, 0) : place->offset;
-    if (value) {
-        return shader_emit_with(builder, SHADER_STORE, place->bytes, place->buffer, offset, *value);
+    if (place->kind == SHADER_PLACE_TABLE && place->offset == SHADER_NO_VALUE) {
+        return constant_at(builder, place);
+    }
+    if (!shader_is_packed(place)) {
+        check_layout(builder, place);
+    }
+    if (is_narrow(place)) {
+        return shader_load_narrow(builder, place, offset);
     }
     const uint32_t loaded = shader_emit_with(builder, SHADER_LOAD, place->bytes, place->buffer, offset, 0);
-    if (!is_bool) {
+    if (place->type->kind != SHADER_BOOL) {
         return loaded;
     }
     // A store that an index led astray may have written any bits there. A truth is −1 or 0.
@@ -332,62 +100,69 @@ static uint32_t access_word(struct shader_builder *builder, const struct shader_
                        shader_emit(builder, SHADER_IEQUAL, loaded, shader_number(builder, 0), 0), 0, 0);
 }
 
-// Load or store all scalars of a place, in order.
-static void access_memory(struct shader_builder *builder, const struct shader_place *place,
-                          uint32_t **scalars, bool stores)
+static void store_scalar(struct shader_builder *builder, const struct shader_place *place, uint32_t value)
+{
+    const uint32_t offset = place->offset == SHADER_NO_VALUE ? shader_number(builder, 0) : place->offset;
+    if (!shader_is_packed(place)) {
+        check_layout(builder, place);
+    }
+    if (is_narrow(place)) {
+        shader_store_narrow(builder, place, offset, value);
+    } else {
+        (void)shader_emit_with(builder, SHADER_STORE, place->bytes, place->buffer, offset, value);
+    }
+}
+
+// Load to, or store from, as many scalars as a place has.
+static void access_memory(struct shader_builder *builder, const struct shader_place *place, uint32_t **loaded,
+                          const uint32_t **stored)
 {
     const struct shader_type *const type = place->type;
     if (type->kind == SHADER_INT || type->kind == SHADER_FLOAT || type->kind == SHADER_BOOL) {
-        if (stores) {
-            (void)access_word(builder, place, *scalars);
+        if (loaded) {
+            *(*loaded)++ = load_scalar(builder, place);
         } else {
-            **scalars = access_word(builder, place, NULL);
+            store_scalar(builder, place, *(*stored)++);
         }
-        (*scalars)++;
         return;
     }
     for (uint32_t i = 0; i < type->count; i++) {
         struct shader_place part = *place;
-        if (type->kind == SHADER_STRUCT) {
-            step_in_struct(builder, &part, shader_number(builder, i));
-        } else {
-            step_in_memory(builder, &part, shader_number(builder, i));
-            part.type = type->element;
-        }
-        access_memory(builder, &part, scalars, stores);
+        shader_step(builder, &part, shader_number(builder, i));
+        access_memory(builder, &part, loaded, stored);
     }
 }
 
-// Read what a place holds into `scalars`.
-static void read_place(struct shader_builder *builder, const struct shader_place *place, uint32_t *scalars)
+void shader_read_place(struct shader_builder *builder, const struct shader_place *place, uint32_t *scalars)
 {
-    if (place->kind == SHADER_PLACE_BUFFER || place->kind == SHADER_PLACE_WORKGROUP) {
-        uint32_t *next = scalars;
-        access_memory(builder, place, &next, false);
+    if (shader_is_in_memory(place)) {
+        access_memory(builder, place, &scalars, NULL);
         return;
     }
     if (place->kind != SHADER_PLACE_HOMES && place->kind != SHADER_PLACE_INPUT) {
         shader_build_refuse(builder, "what is pointed to cannot be loaded");
     }
-    check_candidates(builder, place);
     for (uint32_t i = 0; i < place->type->scalars; i++) {
         scalars[i] = read_dynamic(builder, place, 0, place->first + i);
     }
 }
 
-static void write_place(struct shader_builder *builder, const struct shader_place *place, uint32_t *scalars)
+void shader_write_place(struct shader_builder *builder, const struct shader_place *place,
+                        const uint32_t *scalars)
 {
     if (place->is_read_only) {
         shader_build_refuse(builder, "uniform blocks and push constants cannot be stored to");
     }
-    if (place->kind == SHADER_PLACE_BUFFER || place->kind == SHADER_PLACE_WORKGROUP) {
-        access_memory(builder, place, &scalars, true);
+    if (place->kind == SHADER_PLACE_TABLE) {
+        return; // it holds what is stored to it
+    }
+    if (shader_is_in_memory(place)) {
+        access_memory(builder, place, NULL, &scalars);
         return;
     }
     if (place->kind != SHADER_PLACE_HOMES) {
         shader_build_refuse(builder, "what is pointed to cannot be stored to");
     }
-    check_candidates(builder, place);
     for (uint32_t i = 0; i < place->type->scalars; i++) {
         write_dynamic(builder, place, 0, place->first + i, SHADER_NO_VALUE, scalars[i]);
     }
@@ -404,32 +179,25 @@ static void build_load(struct shader_builder *builder)
         return;
     }
     uint32_t *const scalars = shader_new_scalars(builder, place->type);
-    read_place(builder, place, scalars);
+    shader_read_place(builder, place, scalars);
     shader_define(builder, scalars);
 }
 
 void shader_store(struct shader_builder *builder, uint32_t pointer, const struct shader_type *type,
-                  uint32_t *scalars)
+                  const uint32_t *scalars)
 {
     const struct shader_place *const place = shader_place_of(builder, pointer);
     if (place->type != type || place->is_array_of_resources) {
         shader_build_refuse(builder, "the value is not of the type of what is pointed to");
     }
-    write_place(builder, place, scalars);
+    shader_write_place(builder, place, scalars);
 }
 
 static void build_store(struct shader_builder *builder)
 {
-    const struct shader_place *const place = shader_place_of(builder, shader_operand(builder, 1));
     const uint32_t id = shader_operand(builder, 2);
-    if (place->type != shader_type_of_value(builder, id) || place->is_array_of_resources) {
-        shader_build_refuse(builder, "the value is not of the type of what is pointed to");
-    }
-    uint32_t *const scalars = shader_new_scalars(builder, place->type);
-    for (uint32_t i = 0; i < place->type->scalars; i++) {
-        scalars[i] = shader_scalars(builder, id)[i];
-    }
-    write_place(builder, place, scalars);
+    shader_store(builder, shader_operand(builder, 1), shader_type_of_value(builder, id),
+                 shader_scalars(builder, id));
 }
 
 static void build_copy(struct shader_builder *builder)
@@ -440,8 +208,8 @@ static void build_copy(struct shader_builder *builder)
         shader_build_refuse(builder, "the pointers point to other types");
     }
     uint32_t *const scalars = shader_new_scalars(builder, to->type);
-    read_place(builder, from, scalars);
-    write_place(builder, to, scalars);
+    shader_read_place(builder, from, scalars);
+    shader_write_place(builder, to, scalars);
 }
 
 // Elements of the runtime array that ends a block: the bytes behind its offset, divided by its stride.
@@ -586,7 +354,7 @@ bool shader_build_memory(struct shader_builder *builder, uint32_t opcode)
 {
     switch (opcode) {
     case SPIRV_OP_AccessChain:
-    case SPIRV_OP_InBoundsAccessChain: build_access_chain(builder); return true;
+    case SPIRV_OP_InBoundsAccessChain: shader_build_access_chain(builder); return true;
     case SPIRV_OP_Load: build_load(builder); return true;
     case SPIRV_OP_Store: build_store(builder); return true;
     case SPIRV_OP_CopyMemory: build_copy(builder); return true;

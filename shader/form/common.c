@@ -21,7 +21,7 @@ static bool is_constant_memory(const struct shader_program *program, uint32_t bu
 {
     const struct shader_node *const node = &program->nodes[buffer];
     if (node->op != SHADER_BUFFER) {
-        return node->op == SHADER_PUSH;
+        return node->op == SHADER_PUSH || node->op == SHADER_TABLE;
     }
     const struct shader_resource *const resource = &program->resources[node->immediate];
     return resource->variable->storage == SPIRV_UNIFORM && !resource->type->is_buffer_block;
@@ -39,6 +39,9 @@ static bool is_shared(const struct shader_program *program, const struct shader_
     case SHADER_INPUT_DY:
     case SHADER_INPUT_BESIDE:
     case SHADER_INPUT_BELOW:
+    case SHADER_INPUT_AT:
+    case SHADER_SAMPLE_X:
+    case SHADER_SAMPLE_Y:
     case SHADER_BUILT_IN: return true;
     case SHADER_LOAD: return is_constant_memory(program, node->operands[0]);
     default: return shader_op_kind_of((enum shader_op)node->op) == SHADER_KIND_VALUE;

@@ -33,7 +33,7 @@ static void find_readers(const struct shader_program *program, struct copies *co
         struct shader_node *const node = &program->nodes[value];
         const enum shader_op op = (enum shader_op)node->op;
         copies->place[value] = i + 1;
-        // ELSE reads the condition again.
+        // The condition is read again by ELSE.
         if (op == SHADER_IF) {
             conditions[condition_count++] = node->operands[0];
         } else if (op == SHADER_ELSE && copies->last_read[conditions[condition_count - 1]] < i) {

@@ -22,12 +22,13 @@ static void mark_operands(const struct shader_program *program, struct marks *ma
 {
     uint32_t count;
     const uint32_t *const operands = shader_operands(program, &program->nodes[value], &count);
-    for (uint32_t o = 0; o < count; o++) {
+    for (uint32_t o = shader_changed(program, value) != value ? 1 : 0; o < count; o++) {
         mark_read(marks, operands[o]);
     }
 }
 
-// Mark what effects and structure read, and what that reads. A SET counts where its home is read anywhere.
+// Mark what effects and structure read, and what that reads. A SET counts where its home is read
+// anywhere, and a STORE to a PRIVATE where that is.
 static void mark(const struct shader_program *program, struct marks *marks)
 {
     struct shader_uses uses;
@@ -36,7 +37,8 @@ static void mark(const struct shader_program *program, struct marks *marks)
         const uint32_t value = program->code[i];
         const enum shader_op op = (enum shader_op)program->nodes[value].op;
         const enum shader_op_kind kind = shader_op_kind_of(op);
-        if (op != SHADER_SET && (kind == SHADER_KIND_EFFECT || kind == SHADER_KIND_FLOW)) {
+        if (shader_changed(program, value) == value &&
+            (kind == SHADER_KIND_EFFECT || kind == SHADER_KIND_FLOW)) {
             mark_operands(program, marks, value);
         }
     }
@@ -44,7 +46,7 @@ static void mark(const struct shader_program *program, struct marks *marks)
         const uint32_t value = marks->todo[--marks->count];
         mark_operands(program, marks, value);
         for (uint32_t s = uses.first_set[value]; s < uses.first_set[value + 1]; s++) {
-            mark_read(marks, program->nodes[program->code[uses.sets[s]]].operands[1]);
+            mark_operands(program, marks, program->code[uses.sets[s]]);
         }
     }
 }
@@ -68,7 +70,8 @@ static bool sweep(struct shader_program *program, const bool *is_read)
         const struct shader_node *const node = &program->nodes[value];
         const enum shader_op_kind kind = shader_op_kind_of((enum shader_op)node->op);
         const bool is_value = kind == SHADER_KIND_VALUE || kind == SHADER_KIND_READ;
-        if ((is_value && !is_read[value]) || (node->op == SHADER_SET && !is_read[node->operands[0]])) {
+        const uint32_t changed = shader_changed(program, value);
+        if ((is_value && !is_read[value]) || (changed != value && !is_read[changed])) {
             continue;
         }
         if (node->op == SHADER_REGION) {

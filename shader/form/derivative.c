@@ -45,7 +45,7 @@ static void mark_value(struct worklist *list, uint32_t value)
 static bool may_differ(const struct shader_node *node)
 {
     return node->op != SHADER_DDX && node->op != SHADER_DDY && node->op != SHADER_ATOMIC &&
-           node->op != SHADER_IMAGE_ATOMIC;
+           node->op != SHADER_IMAGE_ATOMIC && (node->flags & SHADER_PER_QUAD) == 0;
 }
 
 // Mark values that may be others at the partner pixel.
@@ -55,7 +55,7 @@ static void mark_different(const struct direction *direction, const struct shade
     struct worklist list = {direction->differs, todo, 0};
     for (uint32_t i = 0; i < program->code_count; i++) {
         const struct shader_node *const node = &program->nodes[program->code[i]];
-        if (node->op == SHADER_INPUT || is_coordinate(node, direction->axis)) {
+        if (node->op == SHADER_INPUT || node->op == SHADER_INPUT_AT || is_coordinate(node, direction->axis)) {
             mark_value(&list, program->code[i]);
         }
     }
@@ -64,8 +64,20 @@ static void mark_different(const struct direction *direction, const struct shade
         for (uint32_t r = uses->first_reader[value]; r < uses->first_reader[value + 1]; r++) {
             const struct shader_node *const reader = &program->nodes[uses->readers[r]];
             if (may_differ(reader)) {
-                mark_value(&list, reader->op == SHADER_SET ? reader->operands[0] : uses->readers[r]);
+                mark_value(&list, shader_changed(program, uses->readers[r]));
             }
+        }
+    }
+}
+
+static void mark_operands(const struct direction *direction, struct worklist *list, uint32_t value)
+{
+    struct shader_program *const program = direction->program;
+    uint32_t count;
+    const uint32_t *const operands = shader_operands(program, &program->nodes[value], &count);
+    for (uint32_t o = shader_changed(program, value) != value ? 1 : 0; o < count; o++) {
+        if (direction->differs[operands[o]]) {
+            mark_value(list, operands[o]);
         }
     }
 }
@@ -84,18 +96,9 @@ static void mark_needed(const struct direction *direction, const struct shader_u
     }
     while (list.count > 0) {
         const uint32_t value = list.todo[--list.count];
-        uint32_t count;
-        const uint32_t *const operands = shader_operands(program, &program->nodes[value], &count);
-        for (uint32_t o = 0; o < count; o++) {
-            if (direction->differs[operands[o]]) {
-                mark_value(&list, operands[o]);
-            }
-        }
+        mark_operands(direction, &list, value);
         for (uint32_t s = uses->first_set[value]; s < uses->first_set[value + 1]; s++) {
-            const uint32_t set_to = program->nodes[program->code[uses->sets[s]]].operands[1];
-            if (direction->differs[set_to]) {
-                mark_value(&list, set_to);
-            }
+            mark_operands(direction, &list, program->code[uses->sets[s]]);
         }
     }
 }
@@ -151,6 +154,15 @@ static void put_partner(struct direction *direction, uint32_t value, uint32_t no
                   there(direction, node.operands[1], nodes));
         return;
     }
+    if (node.op == SHADER_INPUT_AT) {
+        uint32_t offset[2];
+        for (uint32_t o = 0; o < 2; o++) {
+            offset[o] = there(direction, node.operands[o], nodes);
+        }
+        offset[direction->axis] = add(direction, SHADER_FADD, 0, offset[direction->axis], direction->step);
+        direction->partner[value] = add(direction, SHADER_INPUT_AT, node.immediate, offset[0], offset[1]);
+        return;
+    }
     uint32_t count;
     const uint32_t *const operands = shader_operands(program, &program->nodes[value], &count);
     if (node.op == SHADER_SAMPLE) {
@@ -182,8 +194,8 @@ static void put_derivative(struct direction *direction, uint32_t value, uint32_t
         return;
     }
     const uint32_t difference = add(direction, SHADER_FSUB, 0, there(direction, operand, nodes), operand);
-    program->nodes[value] =
-        (struct shader_node){.op = SHADER_FMUL, .operands = {difference, direction->step, 0}};
+    program->nodes[value] = (struct shader_node){
+        .op = SHADER_FMUL, .flags = SHADER_PER_QUAD, .operands = {difference, direction->step, 0}};
     put(direction, value);
 }
 
@@ -198,6 +210,21 @@ static void put_step(struct direction *direction)
     const uint32_t pixel = add(direction, SHADER_INT_FROM_FLOAT, 0, coordinate, 0);
     const uint32_t odd = add(direction, SHADER_AND, 0, pixel, one);
     direction->step = add(direction, SHADER_OR, 0, add(direction, SHADER_SHIFT_LEFT, 0, odd, shift), unit);
+}
+
+// What homes and memory of the lane hold at the partner pixel has a place of its own. Return it, or NONE for others.
+static uint32_t add_partner_of_variable(struct shader_program *program, uint32_t value)
+{
+    const struct shader_node node = program->nodes[value];
+    if (node.op == SHADER_HOME) {
+        return shader_add_node(program, SHADER_HOME, node.immediate, 0, 0, 0);
+    }
+    if (node.op == SHADER_PRIVATE) {
+        const uint32_t first = program->private_count;
+        program->private_count += node.operands[0];
+        return shader_add_node(program, SHADER_PRIVATE, first, node.operands[0], 0, 0);
+    }
+    return NONE;
 }
 
 // Replace derivatives of inputs. Return true if there are others, which are differences.
@@ -240,9 +267,8 @@ static void differentiate(struct shader_program *program, enum shader_op derivat
     for (uint32_t value = 0; value < nodes; value++) {
         direction.partner[value] = NONE;
         needs_any = needs_any || direction.is_needed[value];
-        if (program->nodes[value].op == SHADER_HOME && direction.is_needed[value]) {
-            direction.partner[value] =
-                shader_add_node(program, SHADER_HOME, program->nodes[value].immediate, 0, 0, 0);
+        if (direction.is_needed[value]) {
+            direction.partner[value] = add_partner_of_variable(program, value);
         }
     }
     if (needs_any) {
@@ -252,7 +278,7 @@ static void differentiate(struct shader_program *program, enum shader_op derivat
     for (uint32_t i = 0; i < old_count; i++) {
         const uint32_t value = old[i];
         const uint16_t op = program->nodes[value].op;
-        const uint32_t home = op == SHADER_SET ? program->nodes[value].operands[0] : value;
+        const uint32_t home = shader_changed(program, value);
         if (op == derivative) {
             put_derivative(&direction, value, nodes);
             continue;

@@ -47,6 +47,13 @@ uint32_t shader_add_constant(struct shader_program *program, uint32_t bits)
     return node;
 }
 
+uint32_t shader_changed(const struct shader_program *program, uint32_t value)
+{
+    const struct shader_node *const node = &program->nodes[value];
+    const bool is_own = node->op == SHADER_STORE && program->nodes[node->operands[0]].op == SHADER_PRIVATE;
+    return node->op == SHADER_SET || is_own ? node->operands[0] : value;
+}
+
 const struct shader_node *shader_resource_node(const struct shader_program *program, uint32_t value)
 {
     const struct shader_node *const node = &program->nodes[value];

@@ -22,8 +22,11 @@ enum shader_op_kind { SHADER_KIND_VALUE, SHADER_KIND_READ, SHADER_KIND_EFFECT, S
 
 enum {
     SHADER_MAX_NODES = 1 << 18,
-    SHADER_MAX_NESTING = 128,                     // selections, loops and calls inside each other
-    SHADER_MAX_DEPTH = 3 * SHADER_MAX_NESTING + 2 // IF, REGION and LOOP inside each other: a switch has three
+    SHADER_MAX_NESTING = 128, // selections, loops and calls inside each other
+    SHADER_MAX_DEPTH =
+        3 * SHADER_MAX_NESTING + 2, // IF, REGION and LOOP inside each other: a switch has three
+    SHADER_MAX_PRIVATE = 3072,      // words of a lane
+    SHADER_MAX_TABLE = 1 << 16      // constants that indices pick from
 };
 
 struct shader_node {
@@ -34,8 +37,9 @@ struct shader_node {
 };
 
 enum shader_node_flag {
-    SHADER_UNIFORM = 1,   // all lanes of a call have one value
-    SHADER_EVERY_LANE = 2 // a SET where all lanes that live are active
+    SHADER_UNIFORM = 1,    // all lanes of a call have one value
+    SHADER_EVERY_LANE = 2, // a SET where all lanes that live are active
+    SHADER_PER_QUAD = 4    // a derivative: one number for the quad
 };
 
 // Built-in inputs and outputs, by component where there are several.
@@ -58,6 +62,16 @@ enum shader_built_in {
     SHADER_IN_LOCAL_INDEX = SHADER_IN_GLOBAL + 3,
     SHADER_IN_LANE, // number of the lane in its group of 8, which is the subgroup
     SHADER_IN_COUNT
+};
+
+// Numbers of inputs. A fragment shader may take an input at another place than it is declared for.
+enum shader_input {
+    SHADER_IN_DECLARED,                                    // 4 components for each location
+    SHADER_IN_CENTROID = 128,                              // 4 components for each location, at the centroid
+    SHADER_IN_CENTER = 256,                                // 4 components for each location, at the centre of the pixel
+    SHADER_IN_CLIP_DISTANCE = 384,                         // 8
+    SHADER_IN_CULL_DISTANCE = SHADER_IN_CLIP_DISTANCE + 8, // 8
+    SHADER_IN_NUMBERS = SHADER_IN_CULL_DISTANCE + 8
 };
 
 enum shader_output {
@@ -97,7 +111,11 @@ struct shader_program {
     size_t list_room;
     struct shader_resource *resources;
     uint32_t resource_count;
-    uint32_t varying_mask[4]; // components of inputs that are read, a bit each
+    uint32_t *table; // constants that TABLEs have
+    uint32_t table_count;
+    size_t table_room;
+    uint32_t private_count;                    // words that PRIVATEs have
+    uint8_t interpolation[SHADER_IN_CENTROID]; // or-ed enum shader_interpolation, by number of an input
     bool writes[SHADER_OUT_COUNT];
     uint32_t workgroup_size; // bytes of memory of the workgroup
     bool has_barriers, uses_atomic_results;
@@ -206,6 +224,8 @@ enum {
     SHADER_SCAN_CLUSTER_SHIFT = 6
 };
 
+// Return what a node changes: the HOME of a SET, the PRIVATE of a STORE, or the node itself.
+uint32_t shader_changed(const struct shader_program *program, uint32_t value);
 // Add a list of values. Return its place.
 uint32_t shader_add_list(struct shader_program *program, const uint32_t *values, uint32_t count);
 

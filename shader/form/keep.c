@@ -34,7 +34,8 @@ static void follow(struct scopes *scopes, uint16_t op)
 
 static bool is_placed(const struct shader_node *node)
 {
-    return node->op != SHADER_CONSTANT && node->op != SHADER_HOME;
+    return node->op != SHADER_CONSTANT && node->op != SHADER_HOME && node->op != SHADER_PRIVATE &&
+           node->op != SHADER_TABLE;
 }
 
 // Find the homes that values need. Return how many.

@@ -102,6 +102,9 @@ static void print_value(const struct printer *printer, uint32_t value, enum shad
     const struct shader_node *const node = &printer->program->nodes[value];
     if (node->op == SHADER_CONSTANT) {
         shader_print_number(printer->sink, node->immediate, style);
+    } else if (node->op == SHADER_PRIVATE || node->op == SHADER_TABLE) {
+        shader_sink_print(printer->sink, "%s%u", node->op == SHADER_PRIVATE ? "private" : "table",
+                          (unsigned)node->immediate);
     } else {
         print_result(printer, value);
     }
@@ -128,7 +131,7 @@ static void print_operation_name(const struct printer *printer, enum shader_op o
 static void print_place(const struct printer *printer, const struct shader_node *node)
 {
     const struct shader_node *const offset = &printer->program->nodes[node->operands[1]];
-    print_result(printer, node->operands[0]);
+    print_value(printer, node->operands[0], SHADER_NUMBER_INT);
     if (offset->op == SHADER_CONSTANT) {
         shader_sink_print(printer->sink, "[%u]", (unsigned)(offset->immediate + node->immediate));
         return;
@@ -237,10 +240,12 @@ static void print_operation(const struct printer *printer, uint32_t value)
     case SHADER_SCAN: shader_print_scan(printer->sink, printer->program, value); return;
     case SHADER_LOAD:
     case SHADER_STORE:
+    case SHADER_STORE8:
+    case SHADER_STORE16:
         print_operation_name(printer, op);
         shader_sink_print(printer->sink, " ");
         print_place(printer, node);
-        if (op == SHADER_STORE) {
+        if (op != SHADER_LOAD) {
             shader_sink_print(printer->sink, " ");
             print_value(printer, node->operands[2], SHADER_NUMBER_EITHER);
         }
@@ -253,6 +258,14 @@ static void print_operation(const struct printer *printer, uint32_t value)
         print_operation_name(printer, op);
         shader_sink_print(printer->sink, " ");
         shader_print_input(printer->sink, printer->program, node->immediate);
+        return;
+    case SHADER_INPUT_AT:
+        shader_sink_print(printer->sink, "input_at ");
+        shader_print_input(printer->sink, printer->program, node->immediate);
+        for (int o = 0; o < 2; o++) {
+            shader_sink_print(printer->sink, " ");
+            print_value(printer, node->operands[o], SHADER_NUMBER_FLOAT);
+        }
         return;
     case SHADER_BUILT_IN:
         shader_sink_print(printer->sink, "input ");

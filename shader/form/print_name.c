@@ -123,7 +123,18 @@ void shader_print_built_in(const struct shader_sink *sink, uint32_t number)
 
 void shader_print_input(const struct shader_sink *sink, const struct shader_program *program, uint32_t number)
 {
-    print_located(sink, program, SPIRV_INPUT, number);
+    static const struct built_in_name names[] = {
+        {"gl_ClipDistance", SHADER_IN_CLIP_DISTANCE, 8},
+        {"gl_CullDistance", SHADER_IN_CULL_DISTANCE, 8},
+    };
+    if (number >= SHADER_IN_CLIP_DISTANCE) {
+        print_named(sink, names, sizeof names / sizeof *names, number);
+        return;
+    }
+    print_located(sink, program, SPIRV_INPUT, number % SHADER_IN_CENTROID);
+    if (number >= SHADER_IN_CENTROID) {
+        shader_sink_print(sink, number >= SHADER_IN_CENTER ? " at the centre" : " at the centroid");
+    }
 }
 
 void shader_print_output(const struct shader_sink *sink, const struct shader_program *program,

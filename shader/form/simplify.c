@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Operations whose value is known, is that of an operand, or comes from a cheaper operation. Only what gives the same bits
-// for every operand counts: x + 0 is not x where x is −0, and x · 0 is not 0 where x is infinite.
+// Operations whose value is known, is that of an operand, or comes from a cheaper operation. Only what gives the same
+// bits for every operand counts: x + 0 is not x where x is −0, and x · 0 is not 0 where x is infinite.
 #include "pass.h"
 
 #define NONE UINT32_MAX

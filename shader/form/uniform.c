@@ -11,9 +11,10 @@ static bool is_uniform_source(enum shader_op op)
 static bool is_varying_source(enum shader_op op)
 {
     return op == SHADER_INPUT || op == SHADER_INPUT_DX || op == SHADER_INPUT_DY ||
-           op == SHADER_INPUT_BESIDE || op == SHADER_INPUT_BELOW || op == SHADER_BUILT_IN ||
-           op == SHADER_DDX || op == SHADER_DDY || op == SHADER_ATOMIC || op == SHADER_IMAGE_ATOMIC ||
-           op == SHADER_SAMPLE || op == SHADER_BALLOT || op == SHADER_SHUFFLE || op == SHADER_SCAN;
+           op == SHADER_INPUT_BESIDE || op == SHADER_INPUT_BELOW || op == SHADER_INPUT_AT ||
+           op == SHADER_BUILT_IN || op == SHADER_PRIVATE || op == SHADER_DDX || op == SHADER_DDY ||
+           op == SHADER_ATOMIC || op == SHADER_IMAGE_ATOMIC || op == SHADER_SAMPLE || op == SHADER_BALLOT ||
+           op == SHADER_SHUFFLE || op == SHADER_SCAN;
 }
 
 // After so many rounds what is still open counts as not uniform, so that no program takes them for every home it has.
@@ -78,6 +79,9 @@ static void mark_varying(const struct shader_program *program, bool *varies)
 void shader_mark_uniform(struct shader_program *program)
 {
     bool *const varies = shader_take(program->memory, program->node_count, sizeof *varies);
+    for (uint32_t i = 0; i < program->node_count; i++) { // what stands in no code
+        varies[i] = program->nodes[i].op == SHADER_PRIVATE;
+    }
     mark_varying(program, varies);
     for (uint32_t i = 0; i < program->node_count; i++) {
         program->nodes[i].flags = varies[i] ? 0 : SHADER_UNIFORM;

@@ -13,18 +13,18 @@ static void add_up(uint32_t *counts, uint32_t values)
     }
 }
 
-// Count the SETs of homes, or, in a second round, write them down where they begin by then.
+// Count the SETs of homes and the STOREs to memory of the lane, or, in a second round, write them down where they begin by then.
 static void walk_sets(const struct shader_program *program, struct shader_uses *uses, bool writes)
 {
     for (uint32_t i = 0; i < program->code_count; i++) {
-        const struct shader_node *const node = &program->nodes[program->code[i]];
-        if (node->op != SHADER_SET) {
+        const uint32_t changed = shader_changed(program, program->code[i]);
+        if (changed == program->code[i]) {
             continue;
         }
         if (writes) {
-            uses->sets[uses->first_set[node->operands[0]]] = i;
+            uses->sets[uses->first_set[changed]] = i;
         }
-        uses->first_set[node->operands[0]]++;
+        uses->first_set[changed]++;
     }
 }
 
@@ -35,7 +35,7 @@ static void walk_readers(const struct shader_program *program, struct shader_use
         const uint32_t value = program->code[i];
         uint32_t count;
         const uint32_t *const operands = shader_operands(program, &program->nodes[value], &count);
-        for (uint32_t o = program->nodes[value].op == SHADER_SET ? 1 : 0; o < count; o++) {
+        for (uint32_t o = shader_changed(program, value) != value ? 1 : 0; o < count; o++) {
             if (writes) {
                 uses->readers[uses->first_reader[operands[o]]] = value;
             }

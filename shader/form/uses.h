@@ -8,13 +8,14 @@
 
 struct shader_uses {
     uint32_t *first_reader, *readers; // by value: where its readers begin; nodes
-    uint32_t *first_set, *sets; // by home: where its SETs begin; their places in the code, from first to last
+    // By HOME, where its SETs begin, and by PRIVATE, where its STOREs do; their places in the code, from first to last.
+    uint32_t *first_set, *sets;
 };
 
-// Find the uses of all values in the code. The readers of a home are those of what it holds; a SET reads its value
-// alone.
+// Find the uses of all values in the code. The readers of a home are those of what it holds. A SET reads its value
+// alone, and a STORE to a PRIVATE reads its offset and value.
 void shader_find_uses(const struct shader_program *program, struct shader_uses *uses);
-// Find the SETs of homes alone.
+// Find the SETs and STOREs alone.
 void shader_find_sets(const struct shader_program *program, struct shader_uses *uses);
 
 #endif

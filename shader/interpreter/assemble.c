@@ -168,7 +168,7 @@ static uint32_t take_register(struct free_registers *registers)
 
 static bool is_placed(const struct shader_node *node)
 {
-    return node->op != SHADER_CONSTANT;
+    return node->op != SHADER_CONSTANT && node->op != SHADER_PRIVATE && node->op != SHADER_TABLE;
 }
 
 // Values whose range ends at each place, as lists.
@@ -186,7 +186,7 @@ static void give_registers(struct assembler *assembler)
     struct endings ends = {shader_take(memory, places, sizeof(uint32_t)),
                            shader_take(memory, nodes, sizeof(uint32_t))};
     struct free_registers varying = {shader_take(memory, 2 * nodes, sizeof(uint32_t)), 0,
-                                     SHADER_FIXED_REGISTERS};
+                                     SHADER_FIXED_REGISTERS + program->private_count};
     struct free_registers uniform = {shader_take(memory, nodes, sizeof(uint32_t)), 0,
                                      assembler->bytecode->constant_count};
     for (uint32_t value = nodes; value-- > 0;) {
@@ -421,12 +421,36 @@ static void add_listed(struct assembler *assembler, uint32_t value)
     }
 }
 
+// A LOAD or STORE of a PRIVATE or TABLE, whose words begin behind those of others.
+static void add_own_access(struct assembler *assembler, uint32_t value)
+{
+    const struct shader_node *const node = &assembler->program->nodes[value];
+    const struct shader_node *const memory = &assembler->program->nodes[node->operands[0]];
+    const bool loads = node->op == SHADER_LOAD, is_private = memory->op == SHADER_PRIVATE;
+    struct shader_instruction *const instruction = add(assembler, !loads       ? SHADER_STORE_PRIVATE
+                                                                  : is_private ? SHADER_LOAD_PRIVATE
+                                                                               : SHADER_LOAD_TABLE);
+    instruction->immediate = node->immediate + 4 * memory->immediate;
+    instruction->b = operand_of(assembler, node->operands[1]);
+    if (loads) {
+        instruction->result = operand_of(assembler, value);
+        instruction->is_uniform = instruction->result.is_uniform;
+    } else {
+        instruction->c = operand_of(assembler, node->operands[2]);
+    }
+}
+
 static void add_node(struct assembler *assembler, uint32_t value)
 {
     const struct shader_node *const node = &assembler->program->nodes[value];
     const enum shader_op op = (enum shader_op)node->op;
     if (shader_op_has_list(op)) {
         add_listed(assembler, value);
+        return;
+    }
+    if ((op == SHADER_LOAD || op == SHADER_STORE) &&
+        !is_placed(&assembler->program->nodes[node->operands[0]])) {
+        add_own_access(assembler, value);
         return;
     }
     uint32_t paired[3];
@@ -437,7 +461,8 @@ static void add_node(struct assembler *assembler, uint32_t value)
         operands[o] = operand_of(assembler, pair ? paired[o] : node->operands[o]);
     }
     instruction->immediate = node->immediate;
-    if (op == SHADER_LOAD || op == SHADER_STORE || op == SHADER_LENGTH) {
+    if (op == SHADER_LOAD || op == SHADER_STORE || op == SHADER_STORE8 || op == SHADER_STORE16 ||
+        op == SHADER_LENGTH) {
         instruction->resource = resource_of(assembler, node->operands[0]);
     }
     instruction->a = operands[0];
@@ -521,6 +546,9 @@ struct shader_bytecode *shader_assemble(struct shader_program *program)
     add_code(&assembler);
     bytecode->code = assembler.code;
     bytecode->code_count = assembler.count;
+    bytecode->private_count = program->private_count;
+    bytecode->table = program->table;
+    bytecode->table_count = program->table_count;
     bytecode->image_operands = assembler.image_operands;
     return bytecode;
 }

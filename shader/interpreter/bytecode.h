@@ -17,6 +17,7 @@ enum {
     SHADER_BATCH = 16,              // most groups at a time; a workgroup with barriers has all of its own
     SHADER_REGISTER_VECTORS = 4096, // length of the array, which takes 128 KB of stack
     SHADER_MAX_RESOURCES = 64,
+    SHADER_INPUT_NUMBERS = 400,
     SHADER_NO_RESOURCE = 0xffff, // push constants
     SHADER_SHARED = 0xfffe       // the memory of the workgroup
 };
@@ -35,6 +36,9 @@ enum shader_extra_op {
     SHADER_SUB_MUL,     // c − a · b
     SHADER_JUMP_UNLESS, // where `a`, which is uniform, is false
     SHADER_JUMP,
+    SHADER_LOAD_PRIVATE,
+    SHADER_STORE_PRIVATE,
+    SHADER_LOAD_TABLE,
     SHADER_COUNT_OPS
 };
 
@@ -60,18 +64,21 @@ struct shader_bytecode {
     uint32_t code_count;
     const uint32_t *constants; // values of the first uniform registers
     uint32_t constant_count;
-    uint32_t first_uniform;          // vector
+    uint32_t first_uniform; // vector
+    uint32_t private_count; // registers behind the fixed ones that are memory of the lanes
+    const uint32_t *table;  // constants that indices pick from
+    uint32_t table_count;
     uint32_t batch;                  // groups at a time
     uint32_t workgroup_size;         // bytes of memory that a workgroup has
     const struct shader_slot *slots; // by resource; a program gives them
     uint32_t target_count;
-    // Component of the program's varyings for location · 4 + component; 0xff: there is none.
-    uint8_t component_of[128];
+    // Component of the program's varyings for an input's number (enum shader_input); 0xff: there is none.
+    uint8_t component_of[SHADER_INPUT_NUMBERS];
     // SAMPLE and IMAGE_STORE have SHADER_IMAGE_OPERANDS of them from the number in b.vector on. c.vector is the
     // resource of the sampler.
     const struct shader_operand_of *image_operands;
-    bool is_linear[32];  // by location: the input is flat or noperspective
-    uint8_t w_component; // component that holds W of the position; 0xff: there is none
+    bool is_linear[SHADER_INPUT_NUMBERS]; // by the same numbers: the input is flat or noperspective
+    uint8_t w_component;                  // component that holds W of the position; 0xff: there is none
 };
 
 // What the functions of a pipeline get as `user`.

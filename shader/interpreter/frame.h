@@ -12,6 +12,11 @@ union vector {
     rhw_int i;
 };
 
+// Groups of a batch, from the first to before the last.
+struct group_range {
+    int first, end;
+};
+
 struct frame {
     union vector *registers;
     const struct shader_bytecode *bytecode;
@@ -20,7 +25,9 @@ struct frame {
     uint32_t rounds;                     // rounds of loops until now
     bool is_given_up;
     int groups;
-    struct rhw_vertex *vertices;               // groups of the batch, or NULL
+    struct group_range range;    // groups outside of it have no active lane, and arithmetic leaves them out
+    struct group_range *outer;   // behind the ranges that come back when structure ends
+    struct rhw_vertex *vertices; // groups of the batch, or NULL
     struct rhw_fragment *fragments;            // groups of the batch, or NULL
     const struct rhw_workgroup *workgroup;     // what a compute shader is called for, or NULL
     const struct rhw_invocations *invocations; // groups of the batch, where there is a workgroup

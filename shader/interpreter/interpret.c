@@ -4,6 +4,8 @@
 
 #include "kernel_arithmetic.h"
 #include "kernel_image.h"
+#include "kernel_input.h"
+#include "kernel_own.h"
 #include "kernel_subgroup.h"
 
 #define ENTRY(name) [SHADER_##name] = run_##name
@@ -86,6 +88,8 @@ static shader_kernel *const kernels[SHADER_COUNT_OPS] = {
     ENTRY(DISCARD),
     ENTRY(LOAD),
     ENTRY(STORE),
+    ENTRY(STORE8),
+    ENTRY(STORE16),
     ENTRY(LENGTH),
     ENTRY(IF),
     ENTRY(ELSE),
@@ -98,6 +102,9 @@ static shader_kernel *const kernels[SHADER_COUNT_OPS] = {
     ENTRY(JUMP),
     [SHADER_LOOP] = run_REGION,
     [SHADER_FILL] = run_FILL,
+    [SHADER_LOAD_PRIVATE] = run_LOAD_PRIVATE,
+    [SHADER_STORE_PRIVATE] = run_STORE_PRIVATE,
+    [SHADER_LOAD_TABLE] = run_LOAD_TABLE,
     ENTRY(BUFFER),
     ENTRY(SAMPLE),
     ENTRY(PART),
@@ -106,6 +113,9 @@ static shader_kernel *const kernels[SHADER_COUNT_OPS] = {
     ENTRY(INPUT_DY),
     ENTRY(INPUT_BESIDE),
     ENTRY(INPUT_BELOW),
+    ENTRY(INPUT_AT),
+    ENTRY(SAMPLE_X),
+    ENTRY(SAMPLE_Y),
     [SHADER_PUSH] = run_NOTHING,
     [SHADER_WORKGROUP] = run_NOTHING,
     [SHADER_BARRIER] = run_NOTHING,
@@ -125,6 +135,11 @@ static void execute(struct frame *frame)
     for (uint32_t i = 0; i < bytecode->constant_count; i++) {
         uniform[i].i = rhw_splat_int((int32_t)bytecode->constants[i]);
     }
+    memset(own_memory(frame), 0,
+           (size_t)bytecode->private_count * bytecode->batch * sizeof *frame->registers);
+    struct group_range outer[SHADER_MAX_DEPTH];
+    frame->outer = outer;
+    frame->range = (struct group_range){0, frame->groups};
     frame->next = bytecode->code;
     while (frame->next->op != SHADER_END) {
         const struct shader_instruction *const in = frame->next++;

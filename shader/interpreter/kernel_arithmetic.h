@@ -11,7 +11,8 @@
 
 // Pointers to the vectors of the result and of the operands. No operand lies in the register of the result.
 #define VECTORS                                                             \
-    const int count = in->is_uniform ? 1 : frame->groups;                   \
+    const int first = in->is_uniform ? 0 : frame->range.first;              \
+    const int end = in->is_uniform ? 1 : frame->range.end;                  \
     union vector *const restrict d = &frame->registers[in->result.vector];  \
     const union vector *const restrict a = &frame->registers[in->a.vector]; \
     const union vector *const restrict b = &frame->registers[in->b.vector]; \
@@ -22,7 +23,7 @@
 #define LOOP(member, value, step_a, step_b, step_c)                 \
     {                                                               \
         enum { a_step = step_a, b_step = step_b, c_step = step_c }; \
-        _Pragma("GCC unroll 4") for (int i = 0; i < count; i++)     \
+        _Pragma("GCC unroll 4") for (int i = first; i < end; i++)   \
         {                                                           \
             d[i].member = value;                                    \
         }                                                           \
@@ -46,7 +47,7 @@
         VECTORS;                                                               \
         const int a_step = !in->a.is_uniform, b_step = !in->b.is_uniform;      \
         (void)b_step;                                                          \
-        for (int i = 0; i < count; i++) {                                      \
+        for (int i = first; i < end; i++) {                                    \
             d[i].member = value;                                               \
         }                                                                      \
     }
@@ -81,7 +82,7 @@
         }                                                                                 \
         if (in->a.is_uniform) {                                                           \
             const int a_step = 0, b_step = !in->b.is_uniform, c_step = !in->c.is_uniform; \
-            for (int i = 0; i < count; i++) {                                             \
+            for (int i = first; i < end; i++) {                                           \
                 d[i].member = value;                                                      \
             }                                                                             \
             return;                                                                       \

@@ -11,19 +11,39 @@ static union vector *fixed_register(struct frame *frame, int number)
     return &frame->registers[(uint32_t)number * frame->bytecode->batch];
 }
 
-static bool any_active(struct frame *frame)
+// Narrow the range to the first and the last group that has an active lane. Return false where no group has one; then
+// the range stays.
+static bool narrow_range(struct frame *frame)
 {
     const union vector *const active = fixed_register(frame, SHADER_ACTIVE);
-    rhw_int any = active[0].i;
-    for (int i = 1; i < frame->groups; i++) {
-        any |= active[i].i;
+    struct group_range range = frame->range;
+    while (range.first < range.end && !rhw_any(active[range.first].i)) {
+        range.first++;
     }
-    return rhw_any(any);
+    if (range.first == range.end) {
+        return false;
+    }
+    while (!rhw_any(active[range.end - 1].i)) {
+        range.end--;
+    }
+    frame->range = range;
+    return true;
+}
+
+// Keep the range of groups until the structure that begins now ends.
+static void push_range(struct frame *frame)
+{
+    *frame->outer++ = frame->range;
+}
+
+static void pop_range(struct frame *frame)
+{
+    frame->range = *--frame->outer;
 }
 
 static void jump_if_none(struct frame *frame, const struct shader_instruction *in)
 {
-    if (!any_active(frame)) {
+    if (!narrow_range(frame)) {
         frame->next = frame->bytecode->code + in->immediate;
     }
 }
@@ -33,7 +53,8 @@ static void run_IF(struct frame *frame, const struct shader_instruction *in)
     union vector *const active = fixed_register(frame, SHADER_ACTIVE),
                         *const saved = &frame->registers[in->result.vector];
     const union vector *const a = &frame->registers[in->a.vector];
-    for (int i = 0; i < frame->groups; i++) {
+    push_range(frame);
+    for (int i = frame->range.first; i < frame->range.end; i++) {
         saved[i].i = active[i].i;
         active[i].i &= a[in->a.is_uniform ? 0 : i].i;
     }
@@ -46,7 +67,8 @@ static void run_ELSE(struct frame *frame, const struct shader_instruction *in)
                                                                            frame, SHADER_ALIVE);
     const union vector *const saved = &frame->registers[in->result.vector],
                               *const a = &frame->registers[in->a.vector];
-    for (int i = 0; i < frame->groups; i++) {
+    frame->range = frame->outer[-1];
+    for (int i = frame->range.first; i < frame->range.end; i++) {
         active[i].i = saved[i].i & alive[i].i & ~a[in->a.is_uniform ? 0 : i].i;
     }
     jump_if_none(frame, in);
@@ -64,10 +86,11 @@ static void run_JUMP_UNLESS(struct frame *frame, const struct shader_instruction
     }
 }
 
-// Behind structure that lanes leave for good, go to the end of what lies around it if none is left.
+// Behind structure, narrow the range to the groups that have active lanes. Where lanes may have left for good and none
+// is active, go to the end of what lies around it.
 static void go_on(struct frame *frame, const struct shader_instruction *in)
 {
-    if (in->c.vector != 0 && !any_active(frame)) {
+    if (!narrow_range(frame) && in->c.vector != 0) {
         frame->next = frame->bytecode->code + in->c.vector;
     }
 }
@@ -77,7 +100,8 @@ static void run_END_IF(struct frame *frame, const struct shader_instruction *in)
     union vector *const active = fixed_register(frame, SHADER_ACTIVE), *const alive = fixed_register(
                                                                            frame, SHADER_ALIVE);
     const union vector *const saved = &frame->registers[in->result.vector];
-    for (int i = 0; i < frame->groups; i++) {
+    pop_range(frame);
+    for (int i = frame->range.first; i < frame->range.end; i++) {
         active[i].i = saved[i].i & alive[i].i;
     }
     go_on(frame, in);
@@ -89,7 +113,8 @@ static void run_REGION(struct frame *frame, const struct shader_instruction *in)
     const union vector *const active = fixed_register(frame, SHADER_ACTIVE);
     union vector *const saved = &frame->registers[in->result.vector], *const left =
                                                                           &frame->registers[in->b.vector];
-    for (int i = 0; i < frame->groups; i++) {
+    push_range(frame);
+    for (int i = frame->range.first; i < frame->range.end; i++) {
         saved[i].i = active[i].i;
         left[i].i = rhw_splat_int(0);
     }
@@ -101,7 +126,8 @@ static void run_END_REGION(struct frame *frame, const struct shader_instruction 
                                                                            frame, SHADER_ALIVE);
     const union vector *const saved = &frame->registers[in->result.vector],
                               *const left = &frame->registers[in->b.vector];
-    for (int i = 0; i < frame->groups; i++) {
+    pop_range(frame);
+    for (int i = frame->range.first; i < frame->range.end; i++) {
         alive[i].i |= left[i].i;
         active[i].i = saved[i].i & alive[i].i;
     }
@@ -117,7 +143,7 @@ static bool is_given_up(struct frame *frame)
 
 static void run_END_LOOP(struct frame *frame, const struct shader_instruction *in)
 {
-    if (any_active(frame)) {
+    if (narrow_range(frame)) {
         const struct shader_bytecode *const bytecode = frame->bytecode;
         frame->next = bytecode->code + (is_given_up(frame) ? bytecode->code_count - 1 : in->immediate);
         return;
@@ -129,7 +155,7 @@ static void take_away(struct frame *frame, union vector *to)
 {
     union vector *const active = fixed_register(frame, SHADER_ACTIVE), *const alive = fixed_register(
                                                                            frame, SHADER_ALIVE);
-    for (int i = 0; i < frame->groups; i++) {
+    for (int i = frame->range.first; i < frame->range.end; i++) {
         to[i].i |= active[i].i;
         alive[i].i &= ~active[i].i;
         active[i].i = rhw_splat_int(0);
@@ -147,16 +173,27 @@ static void run_DISCARD(struct frame *frame, const struct shader_instruction *in
     take_away(frame, fixed_register(frame, SHADER_KILLED));
 }
 
+static bool any_active(struct frame *frame)
+{
+    const union vector *const active = fixed_register(frame, SHADER_ACTIVE);
+    bool any = false;
+    for (int i = frame->range.first; i < frame->range.end && !any; i++) {
+        any = rhw_any(active[i].i);
+    }
+    return any;
+}
+
+// Code behind a LEAVE is executed though no lane is active, so a register of all lanes changes where one is.
 static void run_SET(struct frame *frame, const struct shader_instruction *in)
 {
     const union vector *const active = fixed_register(frame, SHADER_ACTIVE),
                               *const a = &frame->registers[in->a.vector];
     union vector *const d = &frame->registers[in->result.vector];
     if (in->is_uniform) {
-        d[0].i = a[0].i;
+        d[0].i = any_active(frame) ? a[0].i : d[0].i;
         return;
     }
-    for (int i = 0; i < frame->groups; i++) {
+    for (int i = frame->range.first; i < frame->range.end; i++) {
         d[i].i = rhw_select_int(active[i].i, a[in->a.is_uniform ? 0 : i].i, d[i].i);
     }
 }

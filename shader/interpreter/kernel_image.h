@@ -29,29 +29,42 @@ static rhw_float image_float(const struct frame *frame, const struct shader_oper
     return rhw_float_from_bits(image_operand(frame, operands, number, group));
 }
 
+// Read the operands that an instruction has.
 static void read_image_request(const struct frame *frame, const struct shader_operand_of *operands,
                                uint32_t flags, int group, struct image_request *r)
 {
     const int spatial = (int)(flags >> SHADER_IMAGE_SPATIAL_SHIFT & 3);
-    for (int i = 0; i < 4; i++) {
+    const int coordinates = spatial + (flags & SHADER_IMAGE_IS_ARRAYED ? 1 : 0);
+    r->request = (struct rhw_sample_request){.coordinates = r->at};
+    for (int i = 0; i < coordinates; i++) {
         r->whole[i] = image_operand(frame, operands, SHADER_IMAGE_COORDINATES + i, group);
         r->at[i] = rhw_float_from_bits(r->whole[i]);
     }
-    for (int i = 0; i < spatial; i++) {
-        r->gradient[i] = image_float(frame, operands, SHADER_IMAGE_DX + i, group);
-        r->gradient[spatial + i] = image_float(frame, operands, SHADER_IMAGE_DY + i, group);
-        r->offset[i] = image_operand(frame, operands, SHADER_IMAGE_OFFSET + i, group);
+    if (flags & SHADER_IMAGE_HAS_GRADIENT) {
+        for (int i = 0; i < spatial; i++) {
+            r->gradient[i] = image_float(frame, operands, SHADER_IMAGE_DX + i, group);
+            r->gradient[spatial + i] = image_float(frame, operands, SHADER_IMAGE_DY + i, group);
+        }
+        r->request.gradient = r->gradient;
     }
-    r->level = image_float(frame, operands, SHADER_IMAGE_LOD, group);
-    r->reference = image_float(frame, operands, SHADER_IMAGE_REFERENCE, group);
-    r->bias = image_float(frame, operands, SHADER_IMAGE_BIAS, group);
-    r->request =
-        (struct rhw_sample_request){.coordinates = r->at,
-                                    .gradient = flags & SHADER_IMAGE_HAS_GRADIENT ? r->gradient : NULL,
-                                    .lod = flags & SHADER_IMAGE_HAS_LOD ? &r->level : NULL,
-                                    .reference = flags & SHADER_IMAGE_HAS_REFERENCE ? &r->reference : NULL,
-                                    .offset = flags & SHADER_IMAGE_HAS_OFFSET ? r->offset : NULL,
-                                    .bias = flags & SHADER_IMAGE_HAS_BIAS ? &r->bias : NULL};
+    if (flags & SHADER_IMAGE_HAS_OFFSET) {
+        for (int i = 0; i < spatial; i++) {
+            r->offset[i] = image_operand(frame, operands, SHADER_IMAGE_OFFSET + i, group);
+        }
+        r->request.offset = r->offset;
+    }
+    if (flags & SHADER_IMAGE_HAS_LOD) {
+        r->level = image_float(frame, operands, SHADER_IMAGE_LOD, group);
+        r->request.lod = &r->level;
+    }
+    if (flags & SHADER_IMAGE_HAS_REFERENCE) {
+        r->reference = image_float(frame, operands, SHADER_IMAGE_REFERENCE, group);
+        r->request.reference = &r->reference;
+    }
+    if (flags & SHADER_IMAGE_HAS_BIAS) {
+        r->bias = image_float(frame, operands, SHADER_IMAGE_BIAS, group);
+        r->request.bias = &r->bias;
+    }
 }
 
 // The binding that all lanes name, or that of some lanes after the other.
@@ -110,16 +123,20 @@ static rhw_int find_next_image(const struct frame *frame, const struct shader_op
 static void fetch_image(const struct rhw_binding *binding, uint32_t flags, struct image_request *r,
                         rhw_int sample, rhw_float texel[4])
 {
-    const rhw_int level = rhw_bits_from_float(r->level);
     if (flags & SHADER_IMAGE_HAS_SAMPLE) {
         rhw_binding_sample_fetch_sample(binding, r->whole, &sample, texel);
+    } else if (flags & SHADER_IMAGE_HAS_LOD) {
+        const rhw_int level = rhw_bits_from_float(r->level);
+        rhw_binding_sample_fetch(binding, r->whole, &level, texel);
     } else {
-        rhw_binding_sample_fetch(binding, r->whole, flags & SHADER_IMAGE_HAS_LOD ? &level : NULL, texel);
+        rhw_binding_sample_fetch(binding, r->whole, NULL, texel);
     }
 }
 
-static void query_image(const struct rhw_binding *binding, uint32_t flags, rhw_int level, rhw_float texel[4])
+static void query_image(const struct rhw_binding *binding, uint32_t flags, struct image_request *r,
+                        rhw_float texel[4])
 {
+    const rhw_int level = flags & SHADER_IMAGE_HAS_LOD ? rhw_bits_from_float(r->level) : rhw_splat_int(0);
     rhw_int size[3] = {rhw_splat_int(0), rhw_splat_int(0), rhw_splat_int(0)};
     switch ((enum shader_image_operation)(flags & 15)) {
     case SHADER_DO_LEVELS: size[0] = rhw_splat_int(rhw_binding_sample_levels(binding)); break;
@@ -141,8 +158,8 @@ static void access_image(const struct frame *frame, const struct rhw_binding *bi
     struct image_request r;
     read_image_request(frame, operands, flags, group, &r);
     if (flags & SHADER_IMAGE_HAS_LEAST_LOD) {
-        r.bias =
-            rhw_spirv_raised_bias(binding, &r.request, image_float(frame, operands, SHADER_IMAGE_LEAST_LOD, group));
+        r.bias = rhw_spirv_raised_bias(binding, &r.request,
+                                       image_float(frame, operands, SHADER_IMAGE_LEAST_LOD, group));
         r.request.bias = &r.bias;
     }
     switch ((enum shader_image_operation)(flags & 15)) {
@@ -153,7 +170,7 @@ static void access_image(const struct frame *frame, const struct rhw_binding *bi
         return;
     case SHADER_DO_LOAD: rhw_binding_image_load(binding, r.whole, texel); return;
     case SHADER_DO_QUERY_LOD: rhw_binding_sample_query_lod(binding, &r.request, texel); return;
-    default: query_image(binding, flags, rhw_bits_from_float(r.level), texel); return;
+    default: query_image(binding, flags, &r, texel); return;
     }
 }
 
@@ -230,50 +247,6 @@ static void run_IMAGE_ATOMIC(struct frame *frame, const struct shader_instructio
         }
         d[i].i = result;
     }
-}
-
-// Derivatives of inputs, and inputs at partner pixels.
-static void run_INPUT_DX(struct frame *frame, const struct shader_instruction *in)
-{
-    union vector *const d = &frame->registers[in->result.vector];
-    const int component = frame->bytecode->component_of[in->immediate];
-    for (int i = 0; i < frame->groups; i++) {
-        d[i].f = frame->fragments[i].ddx[component];
-    }
-}
-
-static void run_INPUT_DY(struct frame *frame, const struct shader_instruction *in)
-{
-    union vector *const d = &frame->registers[in->result.vector];
-    const int component = frame->bytecode->component_of[in->immediate];
-    for (int i = 0; i < frame->groups; i++) {
-        d[i].f = frame->fragments[i].ddy[component];
-    }
-}
-
-static void read_partner(struct frame *frame, const struct shader_instruction *in, int axis)
-{
-    union vector *const d = &frame->registers[in->result.vector];
-    const struct shader_bytecode *const bytecode = frame->bytecode;
-    const int component = bytecode->component_of[in->immediate];
-    const bool is_linear = bytecode->is_linear[in->immediate / 4];
-    for (int i = 0; i < frame->groups; i++) {
-        const rhw_int odd = rhw_int_from_float(frame->fragments[i].coord[axis]) & 1;
-        rhw_float offset[2] = {rhw_splat(0.0f), rhw_splat(0.0f)};
-        offset[axis] = rhw_float_from_int(1 - 2 * odd);
-        d[i].f = rhw_interpolate_at(&frame->fragments[i], component, is_linear ? -1 : bytecode->w_component,
-                                    offset);
-    }
-}
-
-static void run_INPUT_BESIDE(struct frame *frame, const struct shader_instruction *in)
-{
-    read_partner(frame, in, 0);
-}
-
-static void run_INPUT_BELOW(struct frame *frame, const struct shader_instruction *in)
-{
-    read_partner(frame, in, 1);
 }
 
 #endif

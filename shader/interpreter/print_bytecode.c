@@ -31,10 +31,16 @@ static const struct {
     const char *name;
     int operands;
 } extra_ops[SHADER_COUNT_OPS - SHADER_END] = {
-    [SHADER_END - SHADER_END] = {"END", 0},         [SHADER_FILL - SHADER_END] = {"FILL", 0},
-    [SHADER_MUL_ADD - SHADER_END] = {"MUL_ADD", 3}, [SHADER_MUL_SUB - SHADER_END] = {"MUL_SUB", 3},
-    [SHADER_SUB_MUL - SHADER_END] = {"SUB_MUL", 3}, [SHADER_JUMP_UNLESS - SHADER_END] = {"JUMP_UNLESS", 1},
+    [SHADER_END - SHADER_END] = {"END", 0},
+    [SHADER_FILL - SHADER_END] = {"FILL", 0},
+    [SHADER_MUL_ADD - SHADER_END] = {"MUL_ADD", 3},
+    [SHADER_MUL_SUB - SHADER_END] = {"MUL_SUB", 3},
+    [SHADER_SUB_MUL - SHADER_END] = {"SUB_MUL", 3},
+    [SHADER_JUMP_UNLESS - SHADER_END] = {"JUMP_UNLESS", 1},
     [SHADER_JUMP - SHADER_END] = {"JUMP", 0},
+    [SHADER_LOAD_PRIVATE - SHADER_END] = {"LOAD_PRIVATE", 2},
+    [SHADER_STORE_PRIVATE - SHADER_END] = {"STORE_PRIVATE", 3},
+    [SHADER_LOAD_TABLE - SHADER_END] = {"LOAD_TABLE", 2},
 };
 
 static void print_operation_name(const struct printer *printer, uint32_t op)
@@ -82,6 +88,12 @@ static void print_structure(const struct printer *printer, const struct shader_i
     }
 }
 
+static bool reaches_memory(uint32_t op)
+{
+    return op == SHADER_LOAD || op == SHADER_STORE || op == SHADER_STORE8 || op == SHADER_STORE16 ||
+           op == SHADER_LENGTH;
+}
+
 // Print the name that the immediate stands for, or its number. Return whether that was all there is to say.
 static void print_immediate(const struct printer *printer, const struct shader_instruction *instruction)
 {
@@ -91,6 +103,7 @@ static void print_immediate(const struct printer *printer, const struct shader_i
     case SHADER_INPUT_DY:
     case SHADER_INPUT_BESIDE:
     case SHADER_INPUT_BELOW:
+    case SHADER_INPUT_AT:
         shader_sink_print(printer->sink, " ");
         shader_print_input(printer->sink, printer->program, instruction->immediate);
         return;
@@ -115,8 +128,8 @@ static void print_operands(const struct printer *printer, const struct shader_in
     const uint32_t op = instruction->op;
     const struct shader_operand_of operands[] = {instruction->a, instruction->b, instruction->c};
     // What is stored to is no operand of the instruction, and that of a SET stands in its first.
-    const int first =
-        op == SHADER_LOAD || op == SHADER_STORE || op == SHADER_LENGTH || op == SHADER_BUFFER ? 1 : 0;
+    const bool is_own = op == SHADER_LOAD_PRIVATE || op == SHADER_STORE_PRIVATE || op == SHADER_LOAD_TABLE;
+    const int first = reaches_memory(op) || is_own || op == SHADER_BUFFER ? 1 : 0;
     const int count = op == SHADER_SET   ? 1
                       : op >= SHADER_END ? extra_ops[op - SHADER_END].operands
                                          : shader_op_operands((enum shader_op)op);
@@ -153,12 +166,12 @@ static void print_instruction(const struct printer *printer, uint32_t number)
         print_structure(printer, instruction);
         return;
     }
-    if (op == SHADER_SET || kind != SHADER_KIND_EFFECT) {
+    if (op == SHADER_SET || (kind != SHADER_KIND_EFFECT && op != SHADER_STORE_PRIVATE)) {
         print_register(printer, instruction->result);
     }
     print_immediate(printer, instruction);
     const bool is_listed = op < SHADER_END && shader_op_has_list((enum shader_op)op);
-    if (is_listed || op == SHADER_LOAD || op == SHADER_STORE || op == SHADER_LENGTH) {
+    if (is_listed || reaches_memory(op)) {
         print_resource(printer, instruction->resource);
     }
     if (is_listed) {

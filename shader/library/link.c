@@ -2,29 +2,13 @@
 // See link.h.
 #include "link.h"
 
+#include "message.h"
+
 #include <string.h>
 
-enum { LOCATIONS = 32, COMPONENTS = 4, NO_COMPONENT = 0xff };
+enum { COMPONENTS = 4, NO_COMPONENT = 0xff };
 
-static void find_qualifiers(const struct shader_program *program, struct shader_interface *interface)
-{
-    const struct shader_module *const module = program->module;
-    for (uint32_t i = 0; i < module->variable_count; i++) {
-        const struct shader_variable *const variable = module->variables[i];
-        if (variable->storage != SPIRV_INPUT || variable->location < 0 || variable->location >= LOCATIONS) {
-            continue;
-        }
-        // A variable of several locations has one qualifier; those behind follow it.
-        const uint32_t slots = (variable->type->scalars + COMPONENTS - 1) / COMPONENTS;
-        for (uint32_t l = (uint32_t)variable->location;
-             l < LOCATIONS && l < (uint32_t)variable->location + slots; l++) {
-            interface->is_flat[l] = variable->is_flat;
-            interface->is_noperspective[l] = variable->is_noperspective;
-            interface->is_centroid[l] = variable->is_centroid;
-            interface->is_sample[l] = variable->is_sample;
-        }
-    }
-}
+_Static_assert((int)SHADER_INPUT_NUMBERS == (int)SHADER_IN_NUMBERS, "code has a place for each input");
 
 // Return by value whether something reads it.
 static const bool *find_read(const struct shader_program *program)
@@ -60,14 +44,21 @@ static void find_atomic(const struct shader_program *program, uint32_t value, co
 void shader_find_interface(const struct shader_program *program, struct shader_interface *interface)
 {
     *interface = (struct shader_interface){.discards = false};
+    for (uint32_t i = 0; i < SHADER_IN_CENTROID; i++) {
+        const unsigned declared = program->interpolation[i];
+        const unsigned elsewhere = declared & ~(unsigned)(SHADER_AT_CENTROID | SHADER_AT_SAMPLE);
+        interface->interpolation[SHADER_IN_DECLARED + i] = (uint8_t)declared;
+        interface->interpolation[SHADER_IN_CENTROID + i] = (uint8_t)(elsewhere | SHADER_AT_CENTROID);
+        interface->interpolation[SHADER_IN_CENTER + i] = (uint8_t)elsewhere;
+    }
     const bool *const is_read = find_read(program);
-    find_qualifiers(program, interface);
     for (uint32_t i = 0; i < program->code_count; i++) {
         const struct shader_node *const node = &program->nodes[program->code[i]];
         switch ((enum shader_op)node->op) {
         case SHADER_INPUT: interface->reads[node->immediate] = true; break;
         case SHADER_INPUT_BESIDE:
-        case SHADER_INPUT_BELOW: interface->needs_w = true; // fall through
+        case SHADER_INPUT_BELOW:
+        case SHADER_INPUT_AT: interface->needs_w = true; // fall through
         case SHADER_INPUT_DX:
         case SHADER_INPUT_DY:
             interface->reads[node->immediate] = interface->derives[node->immediate] = true;
@@ -76,6 +67,11 @@ void shader_find_interface(const struct shader_program *program, struct shader_i
         case SHADER_OUTPUT: interface->writes[node->immediate] = true; break;
         case SHADER_DISCARD: interface->discards = true; break;
         case SHADER_STORE:
+            interface->has_effects =
+                interface->has_effects || program->nodes[node->operands[0]].op != SHADER_PRIVATE;
+            break;
+        case SHADER_STORE8:
+        case SHADER_STORE16:
         case SHADER_IMAGE_STORE: interface->has_effects = true; break;
         case SHADER_ATOMIC:
         case SHADER_IMAGE_ATOMIC: find_atomic(program, program->code[i], is_read, interface); break;
@@ -86,61 +82,101 @@ void shader_find_interface(const struct shader_program *program, struct shader_i
 
 // Varyings -------------------------------------------------------------------------------------------
 
-// Add a varying of the components [first, end) of a location.
-static void add_varying(struct rhw_program *program, const struct shader_interface *fragment,
-                        uint32_t location, uint32_t first, uint32_t end)
+// What the vertex stage writes for a number of an input.
+static uint32_t output_of(uint32_t number)
 {
+    if (number >= SHADER_IN_CULL_DISTANCE) {
+        return SHADER_OUT_CULL_DISTANCE + number - SHADER_IN_CULL_DISTANCE;
+    }
+    return number >= SHADER_IN_CLIP_DISTANCE ? SHADER_OUT_CLIP_DISTANCE + number - SHADER_IN_CLIP_DISTANCE
+                                             : SHADER_OUT_VARYING + number % SHADER_IN_CENTROID;
+}
+
+// Add a varying of the inputs [first, end).
+static void add_varying(struct rhw_program *program, const struct shader_interface *fragment, uint32_t first,
+                        uint32_t end)
+{
+    const unsigned interpolation = fragment->interpolation[first];
     struct rhw_varying *const varying = &program->varyings[program->varying_count++];
     *varying = (struct rhw_varying){.components = (int)(end - first),
-                                    .qualifier = fragment->is_flat[location]            ? RHW_FLAT
-                                                 : fragment->is_noperspective[location] ? RHW_NOPERSPECTIVE
+                                    .qualifier = interpolation & SHADER_FLAT            ? RHW_FLAT
+                                                 : interpolation & SHADER_NOPERSPECTIVE ? RHW_NOPERSPECTIVE
                                                                                         : RHW_SMOOTH,
-                                    .sampling = fragment->is_sample[location]     ? RHW_SAMPLING_SAMPLE
-                                                : fragment->is_centroid[location] ? RHW_SAMPLING_CENTROID
-                                                                                  : RHW_SAMPLING_CENTER};
-    for (uint32_t c = first; c < end; c++) {
-        varying->derivatives = varying->derivatives || fragment->derives[location * COMPONENTS + c];
+                                    .sampling = interpolation & SHADER_AT_SAMPLE     ? RHW_SAMPLING_SAMPLE
+                                                : interpolation & SHADER_AT_CENTROID ? RHW_SAMPLING_CENTROID
+                                                                                     : RHW_SAMPLING_CENTER};
+    for (uint32_t i = first; i < end; i++) {
+        varying->derivatives = varying->derivatives || fragment->derives[i];
     }
 }
 
-// Every location that the fragment stage reads becomes a varying, of the components from its first to its last.
-static const char *link_varyings(const struct shader_interface *vertex,
-                                 const struct shader_interface *fragment, struct shader_bytecode *vertex_code,
-                                 struct shader_bytecode *fragment_code, struct rhw_program *program)
+// Return the end of the inputs from `first` on, of one location, that are read and interpolated alike.
+static uint32_t end_of_run(const struct shader_interface *fragment, uint32_t first)
 {
-    uint8_t component = 0;
-    for (uint32_t location = 0; location < LOCATIONS; location++) {
-        const bool *const reads = &fragment->reads[location * COMPONENTS];
-        uint32_t first = 0, end = COMPONENTS;
-        while (first < COMPONENTS && !reads[first]) {
-            first++;
-        }
-        while (end > first && !reads[end - 1]) {
-            end--;
-        }
-        if (first == end) {
+    uint32_t end = first;
+    do {
+        end++;
+    } while (end % COMPONENTS != 0 && fragment->reads[end] &&
+             fragment->interpolation[end] == fragment->interpolation[first]);
+    return end;
+}
+
+// Return false, with a message, where the vertex stage does not write an input.
+static bool check_input(const struct shader_interface *vertex, uint32_t number, char *message)
+{
+    if (vertex->writes[output_of(number)]) {
+        return true;
+    }
+    if (number >= SHADER_IN_CLIP_DISTANCE) {
+        const uint32_t distance = number - SHADER_IN_CLIP_DISTANCE;
+        shader_say(message,
+                   "the fragment shader reads %s distance %u, which the vertex shader does not write",
+                   distance < 8 ? "clip" : "cull", (unsigned)(distance % 8));
+    } else {
+        const uint32_t slot = number % SHADER_IN_CENTROID;
+        shader_say(
+            message,
+            "the fragment shader reads location %u, component %u, which the vertex shader does not write",
+            (unsigned)(slot / COMPONENTS), (unsigned)(slot % COMPONENTS));
+    }
+    return false;
+}
+
+// What the fragment stage reads becomes varyings. Return false, with a message, where that cannot be.
+static bool link_varyings(const struct shader_interface *vertex, const struct shader_interface *fragment,
+                          struct shader_bytecode *vertex_code, struct shader_bytecode *fragment_code,
+                          struct rhw_program *program, char *message)
+{
+    uint32_t component = 0;
+    for (uint32_t number = 0; number < SHADER_IN_NUMBERS;) {
+        if (!fragment->reads[number]) {
+            number++;
             continue;
         }
-        if (program->varying_count == RHW_MAX_VARYINGS) {
-            return "there are too many varyings";
+        const uint32_t end = end_of_run(fragment, number);
+        // One of each is kept for W.
+        if (program->varying_count == RHW_MAX_VARYINGS - 1 ||
+            component + end - number >= RHW_MAX_VARYING_COMPONENTS) {
+            shader_say(message, "the fragment shader reads more than %d components of inputs",
+                       RHW_MAX_VARYING_COMPONENTS - 1);
+            return false;
         }
-        add_varying(program, fragment, location, first, end);
-        fragment_code->is_linear[location] =
-            fragment->is_flat[location] || fragment->is_noperspective[location];
-        for (uint32_t c = first; c < end; c++) {
-            const uint32_t slot = location * COMPONENTS + c;
-            if (reads[c] && !vertex->writes[SHADER_OUT_VARYING + slot]) {
-                return "the fragment stage reads a location that the vertex stage does not write";
+        add_varying(program, fragment, number, end);
+        for (; number < end; number++) {
+            if (!check_input(vertex, number, message)) {
+                return false;
             }
-            vertex_code->component_of[slot] = fragment_code->component_of[slot] = component++;
+            const unsigned linear = SHADER_FLAT | SHADER_NOPERSPECTIVE;
+            fragment_code->is_linear[number] = (fragment->interpolation[number] & linear) != 0;
+            vertex_code->component_of[number] = fragment_code->component_of[number] = (uint8_t)component++;
         }
     }
     if (fragment->needs_w) {
         program->varyings[program->varying_count++] =
             (struct rhw_varying){.components = 1, .derivatives = true};
-        vertex_code->w_component = fragment_code->w_component = component;
+        vertex_code->w_component = fragment_code->w_component = (uint8_t)component;
     }
-    return NULL;
+    return true;
 }
 
 static uint32_t find_uses(const struct shader_interface *fragment)
@@ -180,9 +216,9 @@ static int count_distances(const struct shader_interface *vertex, uint32_t first
     return count;
 }
 
-const char *shader_link(const struct shader_interface *vertex, const struct shader_interface *fragment,
-                        struct shader_bytecode *vertex_code, struct shader_bytecode *fragment_code,
-                        struct rhw_program *program)
+bool shader_link(const struct shader_interface *vertex, const struct shader_interface *fragment,
+                 struct shader_bytecode *vertex_code, struct shader_bytecode *fragment_code,
+                 struct rhw_program *program, char *message)
 {
     static const struct shader_interface nothing = {.discards = false};
     const struct shader_interface *const reader = fragment ? fragment : &nothing;
@@ -193,10 +229,9 @@ const char *shader_link(const struct shader_interface *vertex, const struct shad
         fragment_code->w_component = NO_COMPONENT;
     }
     program->varying_count = 0;
-    const char *const problem =
-        link_varyings(vertex, reader, vertex_code, fragment ? fragment_code : vertex_code, program);
-    if (problem) {
-        return problem;
+    if (!link_varyings(vertex, reader, vertex_code, fragment ? fragment_code : vertex_code, program,
+                       message)) {
+        return false;
     }
     program->uniform_size = sizeof(struct rhw_shader_frame);
     program->writes_point_size = vertex->writes[SHADER_OUT_POINT_SIZE];
@@ -207,5 +242,5 @@ const char *shader_link(const struct shader_interface *vertex, const struct shad
     program->vertex_effects = vertex->has_effects;
     program->uses_atomic_results = vertex->uses_atomic_results || reader->uses_atomic_results;
     program->uses = find_uses(reader);
-    return NULL;
+    return true;
 }

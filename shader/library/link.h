@@ -9,10 +9,11 @@
 
 // What a stage reads and writes, found in its code.
 struct shader_interface {
-    bool reads[128];   // by location · 4 + component
-    bool derives[128]; // analytic derivatives of it, or its value at a partner pixel, are asked for
-    bool needs_w;      // some value at a partner pixel is
-    bool is_flat[32], is_noperspective[32], is_centroid[32], is_sample[32]; // by location
+    // By number (enum shader_input)
+    bool reads[SHADER_IN_NUMBERS];
+    bool derives[SHADER_IN_NUMBERS];          // its derivatives, or its value at another place, are asked for
+    uint8_t interpolation[SHADER_IN_NUMBERS]; // or-ed enum shader_interpolation
+    bool needs_w;                             // some value at another place is asked for
     bool built_in[SHADER_IN_COUNT];
     bool writes[SHADER_OUT_COUNT];
     bool discards, has_effects, uses_atomic_results;
@@ -20,10 +21,10 @@ struct shader_interface {
 };
 
 void shader_find_interface(const struct shader_program *program, struct shader_interface *interface);
-// Give varyings their components, and describe the program. Return a message where the stages do not fit, or NULL.
+// Give varyings their components, and describe the program. Return false, with a message, where the stages do not fit.
 // `fragment` may be NULL.
-const char *shader_link(const struct shader_interface *vertex, const struct shader_interface *fragment,
-                        struct shader_bytecode *vertex_code, struct shader_bytecode *fragment_code,
-                        struct rhw_program *program);
+bool shader_link(const struct shader_interface *vertex, const struct shader_interface *fragment,
+                 struct shader_bytecode *vertex_code, struct shader_bytecode *fragment_code,
+                 struct rhw_program *program, char *message);
 
 #endif

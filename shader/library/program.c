@@ -143,8 +143,13 @@ static const char *check_stages(const struct rhw_shader_program_def *def)
     if (def->compute ? def->vertex || def->fragment : !def->vertex) {
         return "rhw_shader_program_create: a program has a vertex shader, or a compute shader alone";
     }
+    uint64_t bindings = 0;
     for (uint32_t i = 0; def->layout && i < def->layout_count; i++) {
-        if (def->layout[i].set >= RHW_SHADER_MAX_SETS || def->layout[i].count > INT32_MAX / 2) {
+        bindings += def->layout[i].count;
+        if (bindings > INT32_MAX) {
+            return "rhw_shader_program_create: the bindings of a layout are fewer than 2^31";
+        }
+        if (def->layout[i].set >= RHW_SHADER_MAX_SETS) {
             return "rhw_shader_program_create: sets of a layout are below RHW_SHADER_MAX_SETS";
         }
     }
@@ -161,16 +166,16 @@ static bool has_work(const struct shader_interface *fragment)
     return has;
 }
 
-static const char *link_graphics(rhw_shader_program *program)
+static bool link_graphics(rhw_shader_program *program, char *message)
 {
     static rhw_vertex_function *const vertex[RHW_ISA_COUNT] = RHW_ISA_TABLE(shader_interpret_vertices);
     static rhw_fragment_function *const fragment[RHW_ISA_COUNT] = RHW_ISA_TABLE(shader_interpret_fragments);
     const rhw_shader *const given = program->shaders[RHW_SHADER_FRAGMENT];
     const rhw_shader *const below = given && has_work(&given->interface) ? given : NULL;
     struct shader_bytecode *const bytecode = program->bytecode;
-    const char *const problem = shader_link(&program->shaders[RHW_SHADER_VERTEX]->interface,
-                                            below ? &below->interface : NULL, &bytecode[RHW_SHADER_VERTEX],
-                                            below ? &bytecode[RHW_SHADER_FRAGMENT] : NULL, &program->program);
+    const bool fits = shader_link(&program->shaders[RHW_SHADER_VERTEX]->interface,
+                                  below ? &below->interface : NULL, &bytecode[RHW_SHADER_VERTEX],
+                                  below ? &bytecode[RHW_SHADER_FRAGMENT] : NULL, &program->program, message);
     bytecode[RHW_SHADER_FRAGMENT].target_count = MAX_TARGETS;
     memcpy(program->program.vertex, vertex, sizeof vertex);
     if (below) {
@@ -178,7 +183,7 @@ static const char *link_graphics(rhw_shader_program *program)
         program->program.early_fragment_tests = below->form->entry->has_early_tests;
     }
     program->program.user = &program->stages;
-    return problem;
+    return fits;
 }
 
 static void link_compute(rhw_shader_program *program)
@@ -222,11 +227,7 @@ static bool link_program(rhw_shader_program *program, const struct rhw_shader_pr
         link_compute(program);
         return true;
     }
-    const char *const problem = link_graphics(program);
-    if (problem) {
-        shader_say(message, "%s", problem);
-    }
-    return !problem;
+    return link_graphics(program, message);
 }
 
 enum rhw_result rhw_shader_program_create(const struct rhw_shader_program_def *def,

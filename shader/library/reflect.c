@@ -161,6 +161,7 @@ struct variable_list {
     struct rhw_shader_variable *variables;
     uint32_t count;
     size_t room;
+    uint32_t index; // index of blending that variables have that are added next
 };
 
 // Add what a type has from a location on. Return the location behind.
@@ -193,6 +194,7 @@ static uint32_t add_variables(struct variable_list *list, const struct shader_ty
         (struct rhw_shader_variable){.location = location,
                                      .component = component,
                                      .components = type->kind == SHADER_VECTOR ? type->count : 1,
+                                     .index = list->index,
                                      .is_integer = scalar->kind == SHADER_INT,
                                      .name = name};
     return location + 1;
@@ -201,7 +203,8 @@ static uint32_t add_variables(struct variable_list *list, const struct shader_ty
 static int compare_variables(const void *a, const void *b)
 {
     const struct rhw_shader_variable *const x = a, *const y = b;
-    const uint32_t p = 4 * x->location + x->component, q = 4 * y->location + y->component;
+    const uint32_t p = 8 * x->location + 4 * x->index + x->component;
+    const uint32_t q = 8 * y->location + 4 * y->index + y->component;
     return p < q ? -1 : p > q;
 }
 
@@ -235,6 +238,7 @@ static const struct rhw_shader_variable *reflect_variables(rhw_shader *shader,
                 : NULL;
         if (variable && variable->storage == storage && variable->built_in < 0 && !is_listed[id]) {
             is_listed[id] = true;
+            list.index = variable->index > 0 ? 1 : 0;
             const uint32_t before = list.count;
             (void)add_variables(
                 &list, variable->type, variable->location < 0 ? 0 : (uint32_t)variable->location,

@@ -2,7 +2,6 @@
 // From the words of a module to a translated shader.
 #include "shader.h"
 
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -15,17 +14,6 @@ enum { MAGIC = 0x07230203, MAGIC_SWAPPED = 0x03022307, HEADER_WORDS = 5 };
 static const enum spirv_execution_model models[RHW_SHADER_STAGE_COUNT] = {SPIRV_VERTEX, SPIRV_FRAGMENT,
                                                                           SPIRV_COMPUTE};
 static const char *const stage_names[RHW_SHADER_STAGE_COUNT] = {"vertex", "fragment", "compute"};
-
-void shader_say(char *message, const char *format, ...)
-{
-    va_list arguments;
-    if (!message) {
-        return;
-    }
-    va_start(arguments, format);
-    vsnprintf(message, RHW_SHADER_MESSAGE, format, arguments);
-    va_end(arguments);
-}
 
 void shader_hold(const rhw_shader *shader)
 {

@@ -8,6 +8,7 @@
 #include "form/form.h"
 #include "interpreter/bytecode.h"
 #include "link.h"
+#include "message.h"
 #include "rhw/spirv.h"
 
 struct rhw_shader {
@@ -37,8 +38,5 @@ void shader_reflect(rhw_shader *shader);
 const struct rhw_shader_type *shader_reflect_type(rhw_shader *shader, const struct shader_type *type);
 // Give the members of all structs that were told their names.
 void shader_name_members(const rhw_shader *shader);
-
-// Write a message of one line, where there is room for one.
-void shader_say(char *message, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 #endif

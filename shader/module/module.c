@@ -277,6 +277,9 @@ static void read_decoration(struct shader_module *module, uint32_t word)
     const uint32_t opcode = words[0] & 0xffff, count = words[0] >> 16;
     if (opcode == SPIRV_OP_Decorate) {
         add_decoration(module, word, words[1], -1, word + 2);
+        if (words[2] == SPIRV_BUILT_IN && count > 3 && words[3] == SPIRV_WORKGROUP_SIZE) {
+            module->workgroup_size = words[1];
+        }
     } else if (opcode == SPIRV_OP_MemberDecorate) {
         if (words[2] > SHADER_MAX_SCALARS) {
             shader_refuse(module, word, "there is no member %u", (unsigned)words[2]);
@@ -313,22 +316,42 @@ static bool is_supported(uint32_t capability)
 {
     static const uint16_t supported[] = {
         0,    1,                    // Matrix, Shader
+        2,    3,                    // Geometry, Tessellation: of gl_PrimitiveID and gl_Layer in fragments
         25,   26,                   // ImageGatherExtended, StorageImageMultisample
         27,   28,   29,   30,   31, // UniformBuffer, SampledImage, StorageBuffer, StorageImage arrays; ClipDistance
         32,   33,   34,   35,   36, // CullDistance, ImageCubeArray, SampleRateShading, ImageRect, SampledRect
         40,   41,   42,   43,       // InputAttachment, SparseResidency, MinLod, Sampled1D
         44,   45,                   // Image1D, SampledCubeArray
-        46,   47,   48,   49,   50,   51,   52, // SampledBuffer … InterpolationFunction
-        55,   56,   57, // StorageImageRead, StorageImageWriteWithoutFormat, MultiViewport
-        61,   62,   63,   64,   65,   66,   67,   68,        // GroupNonUniform and its kin
-        4423, 4427, 4433, 4434, 4435, 4436, 4437, 4439, 4441 // ShaderViewportIndexLayer … VariablePointers
+        46,   47,   48,   49,   50, 51, 52, // SampledBuffer … InterpolationFunction
+        55,   56,   57,                     // StorageImageRead, StorageImageWriteWithoutFormat, MultiViewport
+        61,   62,   63,   64,   65, 66, 67, 68, // GroupNonUniform and its kin
+        69,   70,   5254,                       // ShaderLayer, ShaderViewportIndex, and both in one
+        4427,                                   // DrawParameters
+        4433, 4434, 4435, 4436, // storage of 16 bits: buffers, uniforms, push constants, inputs and outputs
+        4437, 4439, 4441,       // DeviceGroup, MultiView, VariablePointersStorageBuffer
+        4448, 4449, 4450        // storage of 8 bits: buffers, uniforms, push constants
     };
     for (size_t i = 0; i < sizeof supported / sizeof *supported; i++) {
         if (supported[i] == capability) {
             return true;
         }
     }
-    return false;
+    return capability >= 5301 &&
+           capability <= 5312; // ShaderNonUniform and its kin: lanes may name any element
+}
+
+// Return the name of a capability that modules may well ask for and that is not here, or NULL.
+static const char *capability_name(uint32_t capability)
+{
+    switch (capability) {
+    case 9: return "Float16";
+    case 10: return "Float64";
+    case 11: return "Int64";
+    case 22: return "Int16";
+    case 39: return "Int8";
+    case 4442: return "VariablePointers";
+    default: return NULL;
+    }
 }
 
 static const char *string_at(const struct shader_module *module, uint32_t word)
@@ -368,7 +391,9 @@ static void read_global(struct shader_module *module, uint32_t word,
     switch (opcode) {
     case SPIRV_OP_Capability:
         if (!is_supported(module->words[word + 1])) {
-            shader_refuse(module, word, "capability %u is not supported", (unsigned)module->words[word + 1]);
+            const char *const name = capability_name(module->words[word + 1]);
+            shader_refuse(module, word, "capability %u%s%s is not supported",
+                          (unsigned)module->words[word + 1], name ? ", " : "", name ? name : "");
         }
         return;
     case SPIRV_OP_MemoryModel:
@@ -379,7 +404,8 @@ static void read_global(struct shader_module *module, uint32_t word,
         return;
     case SPIRV_OP_ExtInstImport: read_import(module, word); return;
     case SPIRV_OP_EntryPoint: shader_read_entry_point(module, word); return;
-    case SPIRV_OP_ExecutionMode: shader_read_execution_mode(module, word); return;
+    case SPIRV_OP_ExecutionMode:
+    case SPIRV_OP_ExecutionModeId: shader_read_execution_mode(module, word); return;
     case SPIRV_OP_Name: module->names[module->words[word + 1]] = string_at(module, word + 2); return;
     case SPIRV_OP_Decorate:
     case SPIRV_OP_MemberDecorate:
@@ -497,5 +523,6 @@ struct shader_module *shader_module_read(struct shader_memory *memory, const uin
     if (in_function) {
         shader_refuse(module, 0, "the last function has no end");
     }
+    shader_settle_sizes(module);
     return module;
 }

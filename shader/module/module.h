@@ -21,7 +21,8 @@ enum {
     SHADER_MAX_ENTRY_POINTS = 256,
     SHADER_MAX_SCALARS = 1 << 14,      // scalars of a type
     SHADER_MAX_TYPE_BYTES = INT32_MAX, // bytes of a type in memory
-    SHADER_MAX_TYPE_DEPTH = 32
+    SHADER_MAX_TYPE_DEPTH = 32,
+    SHADER_MAX_INVOCATIONS = 1024 // invocations of a workgroup
 };
 
 enum shader_type_kind {
@@ -46,6 +47,14 @@ struct shader_image_type {
     bool is_depth, is_arrayed, is_multisampled, is_storage;
 };
 
+// How a fragment shader's input comes from vertices. Without any: smooth, at the centre of the pixel.
+enum shader_interpolation {
+    SHADER_FLAT = 1,
+    SHADER_NOPERSPECTIVE = 2,
+    SHADER_AT_CENTROID = 4,
+    SHADER_AT_SAMPLE = 8
+};
+
 struct shader_member {
     const struct shader_type *type;
     uint32_t first;         // scalar of the structure that is the first of the member
@@ -55,6 +64,7 @@ struct shader_member {
     int built_in; // −1: none
     int location; // −1: none
     int component;
+    uint8_t interpolation; // or-ed enum shader_interpolation
 };
 
 struct shader_type {
@@ -93,7 +103,8 @@ struct shader_variable {
     uint32_t id;
     int set, binding;                                           // −1: none
     int location, component, index, built_in, input_attachment; // −1: none
-    bool is_flat, is_noperspective, is_centroid, is_sample, is_not_readable, is_not_writable;
+    uint8_t interpolation;                                      // or-ed enum shader_interpolation
+    bool is_not_readable, is_not_writable;
 };
 
 struct shader_function {
@@ -131,6 +142,7 @@ struct shader_entry_point {
     const uint32_t *interface;
     uint32_t interface_count;
     uint32_t local_size[3];
+    uint32_t size_word; // word of an OpExecutionModeId that gives the size; 0: there is none
     bool has_early_tests, replaces_depth;
     int depth_change; // 1: greater, −1: less, 0: any
 };
@@ -148,8 +160,9 @@ struct shader_module {
     uint32_t variable_count;
     struct shader_function *functions;
     uint32_t function_count;
-    const char **names;   // by id, or NULL where OpName gives none
-    uint32_t glsl_import; // id of GLSL.std.450, or 0
+    const char **names;      // by id, or NULL where OpName gives none
+    uint32_t glsl_import;    // id of GLSL.std.450, or 0
+    uint32_t workgroup_size; // id of the constant that is WorkgroupSize, or 0
     // Where reading stands, for messages.
     uint32_t at;
 };
@@ -197,5 +210,13 @@ struct shader_variable *shader_read_variable(struct shader_module *module, uint3
 // module_entry.c
 void shader_read_entry_point(struct shader_module *module, uint32_t word);
 void shader_read_execution_mode(struct shader_module *module, uint32_t word);
+// Give the compute entry points their sizes, when all constants are known.
+void shader_settle_sizes(const struct shader_module *module);
+
+// module_number.c. The 32 bits that stand for a number of a type: those of an integer of 8 or 16 bits are extended, by
+// its sign where it has one, and a float of 16 bits is the float of 32 bits that equals it.
+uint32_t shader_extend(const struct shader_type *type, uint32_t bits);
+uint32_t shader_half_from_float(uint32_t bits); // rounded to nearest even
+uint32_t shader_float_from_half(uint32_t bits);
 
 #endif

@@ -17,27 +17,13 @@ static uint32_t *new_constant(struct shader_module *module, uint32_t word, const
     return scalars;
 }
 
-// A number of 8 or 16 bits as the 32 bits that stand for it: extended by its sign where it has one.
-static uint32_t narrow(const struct shader_type *type, uint32_t bits)
-{
-    if (type->kind != SHADER_INT || type->bits == 32) {
-        return bits;
-    }
-    const int shift = 32 - type->bits;
-    const uint32_t upper = bits << shift;
-    return type->is_signed ? (uint32_t)((int32_t)upper >> shift) : upper >> shift;
-}
-
 static void read_number(struct shader_module *module, uint32_t word, const struct shader_type *type,
                         uint32_t *scalar)
 {
     if ((type->kind != SHADER_INT && type->kind != SHADER_FLOAT) || (module->words[word] >> 16) != 4) {
         shader_refuse(module, word, "a constant is a number of one word");
     }
-    if (type->kind == SHADER_FLOAT && type->bits == 16) {
-        shader_refuse(module, word, "constants of 16-bit floats are not supported");
-    }
-    *scalar = narrow(type, module->words[word + 3]);
+    *scalar = shader_extend(type, module->words[word + 3]);
 }
 
 // Put the scalars of the parts of a composite behind one another.
@@ -97,7 +83,7 @@ static const struct shader_constant *operand(const struct operation *operation, 
 
 static int32_t divide(int32_t a, int32_t b)
 {
-    return b == 0 ? -1 : b == -1 ? (int32_t)(0 - (uint32_t)a) : a / b;
+    return b == 0 ? a : b == -1 ? (int32_t)(0 - (uint32_t)a) : a / b;
 }
 
 // Return a scalar of the result. Divisions by 0 give what they give in shaders (shader_integer.h).
@@ -105,20 +91,20 @@ static bool evaluate(uint32_t opcode, const uint32_t v[3], uint32_t *result)
 {
     const int32_t a = (int32_t)v[0], b = (int32_t)v[1];
     switch (opcode) {
-    case SPIRV_OP_SConvert:
-    case SPIRV_OP_UConvert:
+    case SPIRV_OP_FConvert:
     case SPIRV_OP_CopyObject: *result = v[0]; return true;
+    case SPIRV_OP_QuantizeToF16: *result = shader_float_from_half(shader_half_from_float(v[0])); return true;
     case SPIRV_OP_SNegate: *result = 0 - v[0]; return true;
     case SPIRV_OP_Not: *result = ~v[0]; return true;
     case SPIRV_OP_IAdd: *result = v[0] + v[1]; return true;
     case SPIRV_OP_ISub: *result = v[0] - v[1]; return true;
     case SPIRV_OP_IMul: *result = v[0] * v[1]; return true;
-    case SPIRV_OP_UDiv: *result = v[1] ? v[0] / v[1] : UINT32_MAX; return true;
+    case SPIRV_OP_UDiv: *result = v[1] ? v[0] / v[1] : v[0]; return true;
     case SPIRV_OP_SDiv: *result = (uint32_t)divide(a, b); return true;
-    case SPIRV_OP_UMod: *result = v[1] ? v[0] % v[1] : UINT32_MAX; return true;
-    case SPIRV_OP_SRem: *result = v[0] - v[1] * (uint32_t)divide(a, b); return true;
+    case SPIRV_OP_UMod: *result = v[1] ? v[0] % v[1] : 0; return true;
+    case SPIRV_OP_SRem: *result = b == 0 ? 0 : v[0] - v[1] * (uint32_t)divide(a, b); return true;
     case SPIRV_OP_SMod:
-        *result = v[0] - v[1] * (uint32_t)divide(a, b);
+        *result = b == 0 ? 0 : v[0] - v[1] * (uint32_t)divide(a, b);
         *result += *result != 0 && (int32_t)(*result ^ v[1]) < 0 ? v[1] : 0;
         return true;
     case SPIRV_OP_ShiftRightLogical: *result = v[0] >> (v[1] & 31); return true;
@@ -189,11 +175,25 @@ static void check_part(const struct operation *operation, const struct shader_ty
     }
 }
 
+static const struct shader_type *scalar_type(const struct shader_type *type)
+{
+    return type->kind == SHADER_VECTOR ? type->element : type;
+}
+
+// Return what stands for a number of the type that is nearest to what stands for another.
+static uint32_t settle(const struct shader_type *type, uint32_t bits)
+{
+    return shader_extend(type, type->kind == SHADER_FLOAT && type->bits == 16 ? shader_half_from_float(bits)
+                                                                              : bits);
+}
+
 static uint32_t operands_of(uint32_t opcode)
 {
     switch (opcode) {
     case SPIRV_OP_SConvert:
     case SPIRV_OP_UConvert:
+    case SPIRV_OP_FConvert:
+    case SPIRV_OP_QuantizeToF16:
     case SPIRV_OP_CopyObject:
     case SPIRV_OP_SNegate:
     case SPIRV_OP_Not:
@@ -260,18 +260,22 @@ static void evaluate_operation(const struct operation *operation, uint32_t opcod
         }
         return;
     }
-    const struct shader_type *const scalar = type->kind == SHADER_VECTOR ? type->element : type;
+    const struct shader_type *const scalar = scalar_type(type);
     check_kinds(operation, opcode, scalar);
     for (uint32_t i = 0; i < type->scalars; i++) {
         uint32_t v[3] = {0, 0, 0};
         for (uint32_t o = 0; o < operation->count && o < 3; o++) {
             v[o] = scalar_of(operation, o, i);
         }
-        if (!evaluate(opcode, v, &scalars[i])) {
+        if (opcode == SPIRV_OP_UConvert || opcode == SPIRV_OP_SConvert) {
+            struct shader_type from = *scalar_type(operand(operation, 0)->type);
+            from.is_signed = opcode == SPIRV_OP_SConvert;
+            scalars[i] = shader_extend(&from, v[0]);
+        } else if (!evaluate(opcode, v, &scalars[i])) {
             shader_refuse(operation->module, operation->word, "Op%s of constants is not supported",
                           shader_instruction_name(opcode));
         }
-        scalars[i] = narrow(scalar, scalars[i]);
+        scalars[i] = settle(scalar, scalars[i]);
     }
 }
 
@@ -293,7 +297,7 @@ void shader_read_constant(struct shader_module *module, uint32_t word,
         scalars[0] = (given ? given->value != 0 : is_true) ? UINT32_MAX : 0;
     } else if (opcode == SPIRV_OP_Constant || opcode == SPIRV_OP_SpecConstant) {
         read_number(module, word, type, scalars);
-        scalars[0] = given ? narrow(type, given->value) : scalars[0];
+        scalars[0] = given ? shader_extend(type, given->value) : scalars[0];
     } else if (opcode == SPIRV_OP_ConstantComposite || opcode == SPIRV_OP_SpecConstantComposite) {
         read_composite(module, word, type, scalars);
     } else if (opcode == SPIRV_OP_SpecConstantOp) {

@@ -41,11 +41,9 @@ static void set_mode(struct shader_module *module, uint32_t word, struct shader_
     case SPIRV_LOCAL_SIZE:
         for (uint32_t i = 0; i < 3; i++) {
             entry->local_size[i] = i < literals ? words[3 + i] : 0;
-            if (entry->local_size[i] == 0 || entry->local_size[i] > 1024) {
-                shader_refuse(module, word, "a workgroup has 1 to 1024 invocations each way");
-            }
         }
         return;
+    case SPIRV_LOCAL_SIZE_ID: entry->size_word = word; return;
     default: shader_refuse(module, word, "execution mode %u is not supported", (unsigned)words[2]);
     }
 }
@@ -55,6 +53,62 @@ void shader_read_execution_mode(struct shader_module *module, uint32_t word)
     for (uint32_t i = 0; i < module->entry_point_count; i++) {
         if (module->entry_points[i].function == module->words[word + 1]) {
             set_mode(module, word, &module->entry_points[i]);
+        }
+    }
+}
+
+// Take the size from the constants that OpExecutionModeId names.
+static void take_size_of_ids(const struct shader_module *module, struct shader_entry_point *entry)
+{
+    const uint32_t word = entry->size_word, *const words = module->words + word;
+    for (uint32_t i = 0; i < 3; i++) {
+        const bool has_id = 3 + i < words[0] >> 16;
+        if (!has_id || words[3 + i] >= module->bound) {
+            shader_refuse(module, word, "a size is three constants");
+        }
+        const struct shader_constant *const constant = shader_constant_of_id(module, word, words[3 + i]);
+        if (constant->type->kind != SHADER_INT) {
+            shader_refuse(module, word, "id %u is no integer", (unsigned)words[3 + i]);
+        }
+        entry->local_size[i] = constant->scalars[0];
+    }
+}
+
+// Take the size from the constant that is decorated as WorkgroupSize, which counts before all else.
+static void take_size_of_constant(const struct shader_module *module, struct shader_entry_point *entry)
+{
+    const uint32_t id = module->workgroup_size, word = module->ids[id].word;
+    const struct shader_constant *const constant = shader_constant_of_id(module, word, id);
+    if (constant->type->kind != SHADER_VECTOR || constant->type->count != 3 ||
+        constant->type->element->kind != SHADER_INT) {
+        shader_refuse(module, word, "WorkgroupSize is a constant of three integers");
+    }
+    for (int i = 0; i < 3; i++) {
+        entry->local_size[i] = constant->scalars[i];
+    }
+}
+
+void shader_settle_sizes(const struct shader_module *module)
+{
+    for (uint32_t e = 0; e < module->entry_point_count; e++) {
+        struct shader_entry_point *const entry = &module->entry_points[e];
+        uint64_t product = 1;
+        if (entry->model != SPIRV_COMPUTE) {
+            continue;
+        }
+        if (module->workgroup_size != 0) {
+            take_size_of_constant(module, entry);
+        } else if (entry->size_word != 0) {
+            take_size_of_ids(module, entry);
+        }
+        for (int i = 0; i < 3; i++) {
+            const uint32_t size = entry->local_size[i];
+            product = size == 0 || size > SHADER_MAX_INVOCATIONS ? 0 : product * size;
+        }
+        if (product == 0 || product > SHADER_MAX_INVOCATIONS) {
+            shader_refuse(module, entry->word, "a workgroup of %u x %u x %u is not of 1 to %d invocations",
+                          (unsigned)entry->local_size[0], (unsigned)entry->local_size[1],
+                          (unsigned)entry->local_size[2], SHADER_MAX_INVOCATIONS);
         }
     }
 }

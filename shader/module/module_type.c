@@ -134,6 +134,10 @@ static void decorate_members(const struct shader_module *module, uint32_t id, st
         case SPIRV_OFFSET: member->offset = decoration->value; break;
         case SPIRV_MATRIX_STRIDE: member->matrix_stride = decoration->value; break;
         case SPIRV_ROW_MAJOR: member->is_row_major = true; break;
+        case SPIRV_FLAT: member->interpolation |= SHADER_FLAT; break;
+        case SPIRV_NO_PERSPECTIVE: member->interpolation |= SHADER_NOPERSPECTIVE; break;
+        case SPIRV_CENTROID: member->interpolation |= SHADER_AT_CENTROID; break;
+        case SPIRV_SAMPLE: member->interpolation |= SHADER_AT_SAMPLE; break;
         case SPIRV_BUILT_IN: member->built_in = is_index ? (int)decoration->value : INT32_MAX; break;
         case SPIRV_LOCATION: member->location = is_index ? (int)decoration->value : INT32_MAX; break;
         case SPIRV_COMPONENT: member->component = is_index ? (int)decoration->value : INT32_MAX; break;

@@ -22,6 +22,15 @@ static bool is_storage_class(uint32_t storage)
             storage == SPIRV_PUSH_CONSTANT || storage == SPIRV_STORAGE_BUFFER);
 }
 
+// Return how a variable is decorated to be interpolated: or-ed enum shader_interpolation.
+static uint8_t interpolation_of(const struct shader_module *module, uint32_t id)
+{
+    return (uint8_t)((is_decorated(module, id, SPIRV_FLAT) ? SHADER_FLAT : 0) |
+                     (is_decorated(module, id, SPIRV_NO_PERSPECTIVE) ? SHADER_NOPERSPECTIVE : 0) |
+                     (is_decorated(module, id, SPIRV_CENTROID) ? SHADER_AT_CENTROID : 0) |
+                     (is_decorated(module, id, SPIRV_SAMPLE) ? SHADER_AT_SAMPLE : 0));
+}
+
 struct shader_variable *shader_read_variable(struct shader_module *module, uint32_t word)
 {
     const uint32_t *const words = module->words + word;
@@ -46,10 +55,7 @@ struct shader_variable *shader_read_variable(struct shader_module *module, uint3
         .index = decorated(module, id, SPIRV_INDEX),
         .built_in = decorated(module, id, SPIRV_BUILT_IN),
         .input_attachment = decorated(module, id, SPIRV_INPUT_ATTACHMENT_INDEX),
-        .is_flat = is_decorated(module, id, SPIRV_FLAT),
-        .is_noperspective = is_decorated(module, id, SPIRV_NO_PERSPECTIVE),
-        .is_centroid = is_decorated(module, id, SPIRV_CENTROID),
-        .is_sample = is_decorated(module, id, SPIRV_SAMPLE),
+        .interpolation = interpolation_of(module, id),
         .is_not_readable = is_decorated(module, id, SPIRV_NON_READABLE),
         .is_not_writable = is_decorated(module, id, SPIRV_NON_WRITABLE),
     };

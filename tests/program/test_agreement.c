@@ -192,14 +192,14 @@ static void test_missing_lines_points_and_instances_are_noticed(void **state)
 }
 
 // Of `name`: what translated shaders draw against what those in C draw.
-static struct bench_agreement against_translated(const char *name)
+static struct bench_agreement against_translated(const char *name, enum bench_translation translation)
 {
     struct bench_scene scene;
     struct bench_renderer renderer = {0};
     char why[128];
     const char *why_not;
-    if (!bench_open_translated(&renderer, 1, RHW_ISA_COUNT, &why_not)) {
-        skip(); // the build has no glslangValidator
+    if (!bench_open_translated(&renderer, translation, 1, RHW_ISA_COUNT, &why_not)) {
+        skip(); // the build has no glslangValidator, or no emitted C
     }
     assert_true(bench_scene_make(entry_of(name), &scene, WIDTH, HEIGHT, why, sizeof why));
     struct bench_image translated = draw_with(&renderer, &scene), compiled = draw(&scene);
@@ -211,7 +211,7 @@ static struct bench_agreement against_translated(const char *name)
 }
 
 // Each shader that a scene without a file has, once.
-static void test_translated_shaders_draw_the_same_bytes(void **state)
+static void check_same_bytes(enum bench_translation translation)
 {
     static const char *const names[] = {
         "fill_flat",         "fill_literal",       "fill_color",         "fill_blend",
@@ -220,19 +220,30 @@ static void test_translated_shaders_draw_the_same_bytes(void **state)
         "deferred",          "particles",          "transmission",       "cliffs_coord_slopes_fill",
         "cliffs_coord_mesh", "cliffs_slopes_mesh", "cliffs_screen_mesh", "cliffs_discard_mesh",
         "cliffs_move_fill",  "cliffs_sample4_fill"};
-    (void)state;
     for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
-        if (!against_translated(names[i]).is_equal) {
+        if (!against_translated(names[i], translation).is_equal) {
             fail_msg("%s is not equal", names[i]);
         }
     }
+}
+
+static void test_interpreted_shaders_draw_the_same_bytes(void **state)
+{
+    (void)state;
+    check_same_bytes(BENCH_INTERPRETER);
+}
+
+static void test_emitted_shaders_draw_the_same_bytes(void **state)
+{
+    (void)state;
+    check_same_bytes(BENCH_EMITTED);
 }
 
 // The shader in C sorts and adds up in another order.
 static void test_translated_shaders_agree_where_formulas_have_another_order(void **state)
 {
     (void)state;
-    assert_true(against_translated("hair").agrees);
+    assert_true(against_translated("hair", BENCH_INTERPRETER).agrees);
 }
 
 static void test_what_is_tolerated_is_exactly_what_is_stated(void **state)
@@ -293,7 +304,8 @@ int main(void)
         cmocka_unit_test(test_other_colors_are_noticed),
         cmocka_unit_test(test_missing_passes_are_noticed),
         cmocka_unit_test(test_missing_lines_points_and_instances_are_noticed),
-        cmocka_unit_test(test_translated_shaders_draw_the_same_bytes),
+        cmocka_unit_test(test_interpreted_shaders_draw_the_same_bytes),
+        cmocka_unit_test(test_emitted_shaders_draw_the_same_bytes),
         cmocka_unit_test(test_translated_shaders_agree_where_formulas_have_another_order),
         cmocka_unit_test(test_what_is_tolerated_is_exactly_what_is_stated),
         cmocka_unit_test(test_depths_that_are_no_numbers_differ),

@@ -225,6 +225,56 @@ for isa in $isas; do
     done
 done
 
+# Shaders in GLSL become C on the way: the program needs librhw alone.
+if [ -x prefix/bin/rhw ]; then
+    mkdir translated
+    cat >translated/CMakeLists.txt <<'CMAKE'
+cmake_minimum_required(VERSION 3.22)
+project(translated LANGUAGES C)
+find_package(rhw REQUIRED)
+add_executable(translated main.c)
+target_link_libraries(translated PRIVATE rhw::rhw)
+rhw_add_shaders(translated twice.comp flat.vert flat.frag)
+CMAKE
+    cat >translated/twice.comp <<'GLSL'
+layout(local_size_x = 8) in;
+layout(set = 0, binding = 3) buffer Numbers { float numbers[]; };
+void main() { numbers[gl_LocalInvocationIndex] *= 2.0; }
+GLSL
+    echo 'void main() { gl_Position = vec4(0.0, 0.0, 0.0, 1.0); }' >translated/flat.vert
+    echo 'layout(location = 0) out vec4 color; void main() { color = vec4(1.0); }' >translated/flat.frag
+    cat >translated/main.c <<'C'
+#include <rhw/bind.h>
+#include <rhw/rhw.h>
+#include <rhw/spirv.h>
+
+extern const struct rhw_compute_program twice_program;
+extern const struct rhw_shader_layout twice_layout[1];
+extern const struct rhw_program flat_program;
+
+int main(void)
+{
+    const struct rhw_context_def def = rhw_context_def_default();
+    float numbers[8] = {0, 1, 2, 3, 4, 5, 6, 7};
+    struct rhw_binding set;
+    rhw_context *context;
+    if (rhw_context_create(&def, &context) != RHW_OK || !flat_program.fragment[RHW_ISA_BASELINE] ||
+        twice_layout[0].binding != 3 || !rhw_binding_of_memory(numbers, sizeof numbers, false, &set)) {
+        return 2;
+    }
+    const struct rhw_shader_frame frame = {.sets = {&set}};
+    const struct rhw_dispatch_def dispatch = {
+        .program = twice_program, .uniforms = &frame, .uniform_bytes = sizeof frame};
+    const enum rhw_result result = rhw_dispatch(context, &dispatch, 1, 1, 1);
+    rhw_context_destroy(context);
+    return result == RHW_OK && numbers[1] == 2 && numbers[7] == 14 ? 0 : 1;
+}
+C
+    check "translated configures" cmake -S translated -B translated/build -DCMAKE_PREFIX_PATH="$folder/prefix"
+    check "translated builds" cmake --build translated/build
+    check "translated runs" translated/build/translated
+fi
+
 # Mistakes end with a line that says what is wrong.
 mistake() { # PATTERN CALL
     mkdir -p mistake

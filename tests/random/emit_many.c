@@ -61,7 +61,7 @@ static void write_words(FILE *words, const char *name, const struct glsl_code *c
 // Write a program to a chunk, and its words. Return whether it is compute.
 static bool write_one(const char *folder, int number, const rhw_shader *vertex, FILE *chunk, FILE *words)
 {
-    char name[32], path[64], message[RHW_SHADER_MESSAGE], *text;
+    char name[32], path[64], message[RHW_SHADER_MESSAGE], *text = NULL;
     struct glsl_code code;
     snprintf(name, sizeof name, "r%d", number);
     snprintf(path, sizeof path, "%s.comp", name);

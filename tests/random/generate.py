@@ -3,7 +3,8 @@
 """Random GLSL programs that mean one thing: arithmetic, control flow, calls, memory, images, barriers and atomics.
 
 Every program ends, no two invocations exchange words without a barrier, and floats are cleaned of NaN before their bits
-show, because which NaN an operation gives is nobody's promise. Program N of a seed is the same on every machine.
+show, because which NaN an operation gives is nobody's promise. Fragments read nothing that is written: a derivative
+would read what the partner pixel writes. Program N of a seed is the same on every machine.
 usage: generate.py SEED FIRST COUNT FOLDER, which writes rN.comp or rN.frag
 """
 import os
@@ -144,7 +145,8 @@ class Program:
             return forms[choice].format(e(), e())
         return self.pick(f'({self.expression("bool", depth - 1)} ? {e()} : {e()})',
                          f'source[uint({self.expression("int", depth - 1)}) % 96u]', f'uint({self.expression("int", depth - 1)})',
-                         f'own[{OWN} * self() + ({self.index(depth, OWN)})]', f'packHalf2x16(vec2(clean(clamp('
+                         f'own[{OWN} * self() + ({self.index(depth, OWN)})]' if self.is_compute else 'source[3]',
+                         f'packHalf2x16(vec2(clean(clamp('
                          f'{self.expression("float", depth - 1)}, -9.0, 9.0)), 1.5))')
 
     def bool(self, depth):

@@ -22,10 +22,11 @@ function(rhw_unit_room room)
   if(NOT files)
     return()
   endif()
+  file(GLOB rigs CONFIGURE_DEPENDS ${RHW_UNIT_FOLDER}/${room}/*_rig.c) # what files of the room share
   set(table ${CMAKE_CURRENT_BINARY_DIR}/unit_${room}.c)
   file(GENERATE OUTPUT ${table} CONTENT
     "#include \"unit.h\"\n\n${declarations}\nconst struct unit_file unit_files[] = {\n${rows}    {0},\n};\n")
-  add_executable(unit_${room} ${RHW_UNIT_FOLDER}/harness/unit.c ${table} ${files})
+  add_executable(unit_${room} ${RHW_UNIT_FOLDER}/harness/unit.c ${table} ${files} ${rigs})
   # For quoted includes alone, so that a name of ours never hides one of the system's.
   target_compile_options(unit_${room} PRIVATE ${RHW_TEST_OPTIONS} "SHELL:-iquote ${PROJECT_SOURCE_DIR}/src"
     "SHELL:-iquote ${PROJECT_SOURCE_DIR}/scene")
@@ -34,13 +35,17 @@ function(rhw_unit_room room)
   file(GLOB texts CONFIGURE_DEPENDS ${RHW_UNIT_FOLDER}/${room}/glsl/*)
   if(texts)
     rhw_add_glsl(unit_${room} ${texts})
+    rhw_add_optimized(unit_${room} ${texts})
     if(NOT CMAKE_CROSSCOMPILING)
       rhw_add_emitted(unit_${room} ${texts})
-      foreach(source ${files})
+      foreach(source ${files}) # those that draw or dispatch
         get_filename_component(name ${source} NAME_WE)
-        add_test(NAME ${name}_in_c COMMAND unit_${room} --filter ${name})
-        set_tests_properties(${name}_in_c PROPERTIES TIMEOUT ${RHW_TEST_TIMEOUT} LABELS unit
-          ENVIRONMENT RHW_TEST_BACK_END=c)
+        file(READ ${source} text)
+        if(text MATCHES "rhw_shader_program_get|spirv_dispatch|spirv_run")
+          add_test(NAME ${name}_in_c COMMAND unit_${room} --filter ${name})
+          set_tests_properties(${name}_in_c PROPERTIES TIMEOUT ${RHW_TEST_TIMEOUT} LABELS unit
+            ENVIRONMENT RHW_TEST_BACK_END=c)
+        endif()
       endforeach()
     endif()
   endif()
@@ -48,6 +53,20 @@ function(rhw_unit_room room)
   if(texts)
     rhw_add_assembly(unit_${room} ${RHW_UNIT_FOLDER}/${room}/asm/frame.inc ${texts})
   endif()
+endfunction()
+
+# Gives a target a header NAME_comp_small.h of each compute shader among GLSL texts: its words as an optimizer leaves them,
+# `const uint32_t NAME_comp_small[]`.
+function(rhw_add_optimized target)
+  set(folder ${CMAKE_CURRENT_BINARY_DIR}/${target}_glsl)
+  list(FILTER ARGN INCLUDE REGEX "\\.comp$")
+  foreach(text ${ARGN})
+    get_filename_component(name ${text} NAME_WE)
+    set(header ${folder}/${name}_comp_small.h)
+    add_custom_command(OUTPUT ${header} DEPENDS ${text} VERBATIM
+      COMMAND ${RHW_GLSLANG} -V -Os --quiet --target-env vulkan1.1 --vn ${name}_comp_small -o ${header} ${text})
+    target_sources(${target} PRIVATE ${header})
+  endforeach()
 endfunction()
 
 # Gives a target what the emitter writes of GLSL texts, so that its tests can draw with C (harness/emitted.h). A fragment

@@ -72,6 +72,19 @@ static bool open_counts(struct bench *bench)
     return true;
 }
 
+// Other shaders of rhw, or another renderer.
+static bool open_peer_named(struct bench_renderer *renderer, const struct cli_bench_job *job,
+                            const char **why)
+{
+    if (strcmp(job->peer, "interpreter") == 0) {
+        return bench_open_translated(renderer, BENCH_INTERPRETER, job->threads[0], job->isa, why);
+    }
+    if (strcmp(job->peer, "emitted") == 0) {
+        return bench_open_translated(renderer, BENCH_EMITTED, job->threads[0], job->isa, why);
+    }
+    return bench_open_gles(renderer, job->peer, why);
+}
+
 // A machine without the peer is no failure: rhw is then timed alone.
 static void open_peer(struct bench *bench)
 {
@@ -86,10 +99,7 @@ static void open_peer(struct bench *bench)
         snprintf(number, sizeof number, "%d", job->peer_threads);
         system_subprocess_set_variable("LP_NUM_THREADS", number);
     }
-    struct bench_renderer *const renderer = &bench->renderers[bench->renderer_count];
-    if (strcmp(job->peer, "interpreter") == 0
-            ? !bench_open_translated(renderer, job->threads[0], job->isa, &why)
-            : !bench_open_gles(renderer, job->peer, &why)) {
+    if (!open_peer_named(&bench->renderers[bench->renderer_count], job, &why)) {
         cli_warning(job->peer, "not compared with: %s", why);
         return;
     }

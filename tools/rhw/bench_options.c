@@ -34,8 +34,8 @@ static const struct cli_option options[] = {
      "well. Up to 8 numbers: each is timed, beside\nno peer, with what threads do and wait for in a frame"},
     {"isa", OPTION_ISA, "NAME", "baseline, avx2 or avx512; default: avx2 where the CPU has it"},
     {"peer", OPTION_PEER, "NAME",
-     "what to compare with: llvmpipe (the default), softpipe, none, or rhw itself:\ninterpreter draws with "
-     "shaders that are translated from GLSL"},
+     "what to compare with: llvmpipe (the default), softpipe, interpreter,\nemitted or none; interpreter and "
+     "emitted are rhw with shaders of GLSL,\ntranslated as it draws, or to C where it was built so"},
     {"peer-threads", OPTION_PEER_THREADS, "N", "threads of llvmpipe, 1..32; default: all cores"},
     {"json", OPTION_JSON, "[FILE]", "print the results as JSON instead of a table, or write it to FILE"},
     {"csv", OPTION_CSV, "[FILE]", "the same as comma-separated values"},
@@ -140,13 +140,13 @@ static bool parse_isa(struct cli_bench_job *job, const char *text)
 
 static bool parse_peer(struct cli_bench_job *job, const char *text)
 {
-    static const char *const names[] = {"llvmpipe", "softpipe", "interpreter", "none"};
-    const int peer = cli_parse_name(text, names, 4);
+    static const char *const names[] = {"llvmpipe", "softpipe", "interpreter", "emitted", "none"};
+    const int peer = cli_parse_name(text, names, 5);
     if (peer < 0) {
-        cli_error("--peer", "'%s' is not llvmpipe, softpipe, interpreter or none", text);
+        cli_error("--peer", "'%s' is not llvmpipe, softpipe, interpreter, emitted or none", text);
         return false;
     }
-    job->peer = peer < 3 ? names[peer] : NULL;
+    job->peer = peer < 4 ? names[peer] : NULL;
     return true;
 }
 

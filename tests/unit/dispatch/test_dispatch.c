@@ -453,6 +453,33 @@ static void test_given_up_between_workgroups(void **state)
     check_given_up(4);
 }
 
+static void wait_for_nothing(struct rhw_workgroup *w)
+{
+    rhw_storage_atomic1(w->bindings, 0, RHW_STORAGE_ADD, 0, 1);
+    while (!rhw_work_is_given_up(w->bindings)) {
+    }
+}
+
+static void test_given_up_within_a_workgroup(void **state)
+{
+    (void)state;
+    for (int threads = 1; threads <= 4; threads += 3) {
+        struct rig rig;
+        open_rig(&rig, threads);
+        int32_t begun;
+        struct patience patience = {.left = 6};
+        const rhw_buffer buffer = make_buffer(&rig, NULL, 4);
+        const struct rhw_dispatch_def def = {.program = {.workgroup = {wait_for_nothing}},
+                                             .buffers = {{.buffer = buffer}}};
+        rhw_context_set_goes_on(rig.context, goes_on, &patience);
+        assert_int_equal(rhw_dispatch(rig.context, &def, 20, 1, 1), RHW_ERROR_GIVEN_UP);
+        assert_int_equal(patience.asked, 7);
+        read_buffer(&rig, buffer, &begun, 4);
+        assert_in_range(begun, 1, threads);
+        rig_close(&rig);
+    }
+}
+
 // Misuse -----------------------------------------------------------------------------------------------
 
 static void expect_refused(struct rig *rig, const struct rhw_dispatch_def *def, const char *part)
@@ -618,6 +645,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_indirect),
     cmocka_unit_test(test_results_of_atomics),
     cmocka_unit_test(test_given_up_between_workgroups),
+    cmocka_unit_test(test_given_up_within_a_workgroup),
     cmocka_unit_test(test_misuse_of_programs),
     cmocka_unit_test(test_misuse_of_slots),
     cmocka_unit_test(test_validation),

@@ -11,15 +11,21 @@
 
 #define SPIRV_CREATE(words, stage) spirv_create(words, sizeof(words), stage)
 
-static inline rhw_shader *spirv_create(const uint32_t *words, size_t size, enum rhw_shader_stage stage)
+static inline rhw_shader *spirv_specialize(const uint32_t *words, size_t size, enum rhw_shader_stage stage,
+                                           const struct rhw_shader_constant *constants, uint32_t count)
 {
     char message[RHW_SHADER_MESSAGE];
     rhw_shader *shader;
-    const struct rhw_shader_def def = {.stage = stage};
+    const struct rhw_shader_def def = {.stage = stage, .constants = constants, .constant_count = count};
     if (rhw_shader_create(words, size, &def, &shader, message) != RHW_OK) {
         fail_msg("%s", message);
     }
     return shader;
+}
+
+static inline rhw_shader *spirv_create(const uint32_t *words, size_t size, enum rhw_shader_stage stage)
+{
+    return spirv_specialize(words, size, stage, NULL, 0);
 }
 
 // Link shaders, and destroy them.
@@ -52,6 +58,30 @@ static inline struct rhw_binding spirv_memory(void *memory, size_t size)
     struct rhw_binding binding;
     assert_true(rhw_binding_of_memory(memory, size, false, &binding));
     return binding;
+}
+
+// Bytes that a shader reads or writes.
+struct spirv_bytes {
+    void *bytes;
+    size_t size;
+    bool read_only;
+};
+
+// Run workgroups of a compute shader, and destroy it. Binding i of set 0 is element i of `memory`.
+static inline void spirv_run(rhw_shader *shader, const struct spirv_bytes *memory, int count,
+                             const void *push, uint32_t push_size, uint32_t workgroups)
+{
+    rhw_shader_program *const program = spirv_link(NULL, NULL, shader);
+    struct rhw_binding set[8];
+    struct rig rig;
+    for (int i = 0; i < count; i++) {
+        assert_true(rhw_binding_of_memory(memory[i].bytes, memory[i].size, memory[i].read_only, &set[i]));
+    }
+    const struct rhw_shader_frame frame = {.sets = {set}, .push_constants = push, .push_size = push_size};
+    rig_open(&rig, 4, 4);
+    assert_int_equal(spirv_dispatch(&rig, program, &frame, workgroups), RHW_OK);
+    rig_close(&rig);
+    rhw_shader_program_destroy(program);
 }
 
 #endif

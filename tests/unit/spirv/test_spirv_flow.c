@@ -8,6 +8,7 @@
 #include "endless_frag.h"
 #include "endless_vert.h"
 #include "flow_comp.h"
+#include "leave_comp.h"
 #include "plain_vert.h"
 
 enum { LANES = 20, WORKGROUPS = 3 };
@@ -207,12 +208,41 @@ static void test_discarded_lanes_do_no_more(void **state)
     rhw_shader_program_destroy(program);
 }
 
+static uint32_t leave(float which, int32_t skipped)
+{
+    rhw_shader_program *const program = spirv_link(NULL, NULL, SPIRV_CREATE(leave_comp, RHW_SHADER_COMPUTE));
+    uint32_t words[LANES] = {0};
+    const struct rhw_binding binding = spirv_memory(words, sizeof words);
+    const struct {
+        float which;
+        int32_t skipped;
+    } choices = {which, skipped};
+    const struct rhw_shader_frame frame = {
+        .sets = {&binding}, .push_constants = &choices, .push_size = sizeof choices};
+    struct rig rig;
+    rig_open(&rig, 4, 4);
+    assert_int_equal(spirv_dispatch(&rig, program, &frame, 1), RHW_OK);
+    rig_close(&rig);
+    rhw_shader_program_destroy(program);
+    assert_int_equal(words[LANES - 1], words[0]);
+    return words[0];
+}
+
+static void test_all_lanes_may_leave_at_once(void **state)
+{
+    (void)state;
+    assert_int_equal(leave(1, 1), 31);
+    assert_int_equal(leave(0, 1), 32);
+    assert_int_equal(leave(0, 9), 42);
+}
+
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_a_dispatch_without_an_end_is_given_up),
     cmocka_unit_test(test_fragments_without_an_end_are_given_up),
     cmocka_unit_test(test_vertices_without_an_end_are_given_up),
     cmocka_unit_test(test_lanes_go_where_their_conditions_say),
     cmocka_unit_test(test_discarded_lanes_do_no_more),
+    cmocka_unit_test(test_all_lanes_may_leave_at_once),
 };
 
 const struct unit_tests test_spirv_flow = UNIT_TESTS(tests, NULL, NULL);

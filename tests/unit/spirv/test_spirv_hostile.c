@@ -88,12 +88,19 @@ enum {
     FUNCTION = 0x50036,
     FUNCTION_END = 0x10038,
     CALL = 0x40039,
+    TYPE_POINTER = 0x40020,
+    VARIABLE = 0x4003b,
+    LOAD = 0x4003d,
+    STORE = 0x3003e,
+    NOP = 0x10000,
     LABEL = 0x200f8,
     SELECTION_MERGE = 0x300f7,
     BRANCH = 0x200f9,
     SWITCH_OF_ONE = 0x500fb,
     RETURN = 0x100fd
 };
+
+enum { WORKGROUP = 4, OF_FUNCTION = 7 }; // classes of storage
 
 enum { MAIN = 1, VOID, MAIN_TYPE, UINT, ZERO, FREE };
 
@@ -147,11 +154,14 @@ static void nest_switches(struct growing *module, uint32_t depth)
 {
     begin(module);
     declare(module);
+    const uint32_t pointer = module->next_id++, variable = module->next_id++, selector = module->next_id++;
+    PUT(TYPE_POINTER, pointer, WORKGROUP, UINT, VARIABLE, pointer, variable, WORKGROUP);
     begin_function(module, MAIN);
+    PUT(LOAD, UINT, selector, variable);
     const uint32_t first = module->next_id;
     module->next_id += 2 * depth;
     for (uint32_t i = 0; i < depth; i++) {
-        PUT(SELECTION_MERGE, first + 2 * i, 0, SWITCH_OF_ONE, ZERO, first + 2 * i, 1, first + 2 * i + 1,
+        PUT(SELECTION_MERGE, first + 2 * i, 0, SWITCH_OF_ONE, selector, first + 2 * i, 1, first + 2 * i + 1,
             LABEL, first + 2 * i + 1);
     }
     for (uint32_t i = depth; i-- > 0;) {
@@ -187,7 +197,7 @@ static void put_calls(struct growing *module, uint32_t depth, uint32_t nops)
             module->next_id++;
         }
         for (uint32_t n = 0; i == depth && n < nops; n++) {
-            PUT(0x10000);
+            PUT(NOP);
         }
         end_function(module);
     }
@@ -215,11 +225,11 @@ static void test_constants_of_one_bucket(void **state)
         PUT(CONSTANT, UINT, module->next_id++, i * 0x0e8b2f51u); // times 2654435761 it is i
     }
     const uint32_t pointer = module->next_id++, variable = module->next_id++;
-    PUT(0x40020, pointer, 7, UINT);
+    PUT(TYPE_POINTER, pointer, OF_FUNCTION, UINT);
     begin_function(module, MAIN);
-    PUT(0x4003b, pointer, variable, 7);
+    PUT(VARIABLE, pointer, variable, OF_FUNCTION);
     for (uint32_t i = 0; i < 100000; i++) {
-        PUT(0x3003e, variable, first + i);
+        PUT(STORE, variable, first + i);
     }
     end_function(module);
     finish("constants", "taken", module);
@@ -270,11 +280,34 @@ static void test_bounds_are_named(void **state)
     finish("ids", "refused: bound of 1048577 ids", module);
 }
 
+static void test_layouts_are_bounded(void **state)
+{
+    (void)state;
+    struct growing whole, *const module = &whole;
+    begin(module);
+    declare(module);
+    begin_function(module, MAIN);
+    end_function(module);
+    module->words[3] = module->next_id;
+    const struct rhw_shader_def def = {.stage = RHW_SHADER_COMPUTE};
+    const struct rhw_shader_layout layout[] = {{0, 0, INT32_MAX / 2}, {0, 1, INT32_MAX / 2}, {0, 2, 2}};
+    char message[RHW_SHADER_MESSAGE];
+    rhw_shader *shader;
+    rhw_shader_program *program;
+    const size_t size = module->count * sizeof(uint32_t);
+    assert_int_equal(rhw_shader_create(module->words, size, &def, &shader, message), RHW_OK);
+    const struct rhw_shader_program_def link = {.compute = shader, .layout = layout, .layout_count = 3};
+    assert_int_equal(rhw_shader_program_create(&link, &program, message), RHW_ERROR_MISUSE);
+    assert_non_null(strstr(message, "fewer than 2^31"));
+    rhw_shader_destroy(shader);
+    free(module->words);
+}
+
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_broken_rules_are_named),     cmocka_unit_test(test_many_blocks),
     cmocka_unit_test(test_switches_within_each_other), cmocka_unit_test(test_calls_that_double),
     cmocka_unit_test(test_constants_of_one_bucket),    cmocka_unit_test(test_decorations_without_end),
-    cmocka_unit_test(test_bounds_are_named),
+    cmocka_unit_test(test_bounds_are_named),           cmocka_unit_test(test_layouts_are_bounded),
 };
 
 const struct unit_tests test_spirv_hostile = UNIT_TESTS(tests, NULL, NULL);

@@ -325,7 +325,8 @@ static void test_compute_samples_as_c_does(void **state)
     for (int i = 0; i < LANES * 4; i++) {
         points[i / 4][i % 4] = rig_random_float(&random, -0.4f, 1.3f);
     }
-    rhw_shader_program *const program = spirv_link(NULL, NULL, SPIRV_CREATE(sampling_comp, RHW_SHADER_COMPUTE));
+    rhw_shader_program *const program =
+        spirv_link(NULL, NULL, SPIRV_CREATE(sampling_comp, RHW_SHADER_COMPUTE));
     assert_int_equal(rhw_shader_program_set_size(program, 0), IMAGES);
     struct rig rig;
     struct rhw_binding set[IMAGES];
