@@ -74,6 +74,8 @@ GIVEN = {
     r"^script/build && ": "",
     r"\bMODEL\b": "/usr/share/glmark2/models/bunny.obj",
     r"\b(DIR|OUT)\b": "folder",
+    r"\bwaves\.frag\b": "examples/disc.frag",
+    r"\bsum\.comp\b": "tests/unit/spirv/glsl/values.comp",
     r"out/recipes/window": "SDL_VIDEODRIVER=dummy out/recipes/window --frames 2",
     r"^make -B": "make -C examples/embedding -B",
     r"bench --scene fill": "bench --frames 1 --size 160x90 --peer none --scene fill_flat",
