@@ -15,6 +15,7 @@
 #include "scene_shadow_map.h"
 #include "scene_shadow_volume.h"
 #include "scene_sphere.h"
+#include "scene_translation.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -88,6 +89,8 @@ const struct bench_scene_entry bench_scene_entries[] = {
     {"context", "creating and destroying a context of rhw", bench_make_latency, BENCH_LATENCY_CONTEXT},
     {"texture", "creating and destroying a texture of 8192x8192", bench_make_latency, BENCH_LATENCY_TEXTURE},
     {"mips", "the mip chain of an sRGB texture of 2048x2048", bench_make_latency, BENCH_LATENCY_MIPS},
+    {"translation", "a pipeline of the lights of deferred, 200 operations, from SPIR-V on",
+     bench_make_translation, 0},
     {"process", "rhw render of the bunny, an OBJ, as a process, file to file", bench_make_process,
      BENCH_PROCESS_OBJ},
     {"process_ply", "the same of a ball as a binary PLY of 872,356 triangles", bench_make_process,
@@ -214,7 +217,8 @@ void bench_scene_free(struct bench_scene *scene)
 
 bool bench_scene_has_picture(const struct bench_scene *scene)
 {
-    return !scene->opens_context && !scene->opens_texture && !scene->makes_mips && !scene->renders_file;
+    return !scene->opens_context && !scene->opens_texture && !scene->makes_mips && !scene->translates &&
+           !scene->renders_file;
 }
 
 bool bench_scene_allocate(struct bench_scene *scene)

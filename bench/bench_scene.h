@@ -224,8 +224,8 @@ struct bench_scene {
     // Before each draw the first vertex of its mesh is written, as it is.
     bool writes_between;
     // No picture to look at: the time is that of opening and closing rhw, or an empty texture; of making the mip chain
-    // of the first texture; or of the program that renders this file.
-    bool opens_context, opens_texture, makes_mips;
+    // of the first texture; of a pipeline, from SPIR-V on; or of the program that renders this file.
+    bool opens_context, opens_texture, makes_mips, translates;
     const char *renders_file;
     struct bench_files *files; // what was made for it, scene_process.h; NULL: nothing
     int max_anisotropy;        // of all textures; 0: off

@@ -6,6 +6,7 @@
 #include "process.h"
 #include "renderer_rhw.h"
 #include "scene_pbr.h"
+#include "scene_translation.h"
 #include "draw/shadow.h"
 #include "shaders_bench.h"
 
@@ -228,6 +229,9 @@ static bool frame(struct bench_renderer *renderer)
     }
     if (scene->makes_mips) {
         return rhw_texture_generate_mips(s->context, s->textures[0]) == RHW_OK;
+    }
+    if (scene->translates) {
+        return bench_translate(s->context);
     }
     if (scene->renders_file) {
         return bench_render_process(scene->renders_file, s->width, s->height, renderer->threads,

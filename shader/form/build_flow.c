@@ -424,6 +424,9 @@ static void build_switch(struct shader_builder *builder, uint32_t merge)
 static void build_return(struct shader_builder *builder, bool has_value)
 {
     const struct shader_frame *const frame = builder->frame;
+    if (!has_value && frame->result) {
+        shader_build_refuse(builder, "function %u returns a value", (unsigned)frame->function->id);
+    }
     if (has_value) {
         const uint32_t id = shader_operand(builder, 1);
         const struct shader_type *const type = frame->function->type->element;

@@ -143,8 +143,13 @@ static const char *check_stages(const struct rhw_shader_program_def *def)
     if (def->compute ? def->vertex || def->fragment : !def->vertex) {
         return "rhw_shader_program_create: a program has a vertex shader, or a compute shader alone";
     }
+    uint64_t bindings = 0;
     for (uint32_t i = 0; def->layout && i < def->layout_count; i++) {
-        if (def->layout[i].set >= RHW_SHADER_MAX_SETS || def->layout[i].count > INT32_MAX / 2) {
+        bindings += def->layout[i].count;
+        if (bindings > INT32_MAX) {
+            return "rhw_shader_program_create: the bindings of a layout are fewer than 2^31";
+        }
+        if (def->layout[i].set >= RHW_SHADER_MAX_SETS) {
             return "rhw_shader_program_create: sets of a layout are below RHW_SHADER_MAX_SETS";
         }
     }

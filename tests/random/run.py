@@ -11,7 +11,8 @@ import subprocess
 import sys
 import tempfile
 
-import generate
+sys.dont_write_bytecode = True
+import generate  # noqa: E402
 
 CHUNK = 10  # programs of a file
 
@@ -38,8 +39,8 @@ def main():
     parser.add_argument('--libraries', nargs=argparse.REMAINDER, default=[])
     options = parser.parse_args()
     here = os.path.dirname(os.path.abspath(__file__))
-    flags = options.flags.replace(';', ' ').split()
-    wide = options.wide_flags.replace(';', ' ').split() if has_wide() else []
+    flags = options.flags.split()
+    wide = options.wide_flags.split() if has_wide() else []
     with tempfile.TemporaryDirectory() as temporary:
         folder = options.keep or temporary
         os.makedirs(folder, exist_ok=True)
@@ -50,9 +51,9 @@ def main():
 
         def compile_chunk(number):
             source = os.path.join(folder, chunks[number])
-            subprocess.run([options.compiler, '-std=gnu17', '-O1', '-Wall', '-Wextra', '-Wshadow', '-Wconversion', '-Werror', '-Wno-psabi',
-                            '-DRHW_ISA_SUFFIX=baseline', f'-I{here}', *flags, *(wide if number % 2 else []), '-c', source,
-                            '-o', source[:-2] + '.o'], check=True)
+            warnings = ['-Wall', '-Wextra', '-Wshadow', '-Wconversion', '-Werror', '-Wno-psabi']
+            subprocess.run([options.compiler, '-std=gnu17', '-O1', *warnings, '-DRHW_ISA_SUFFIX=baseline', f'-I{here}', *flags,
+                            *(wide if number % 2 else []), '-c', source, '-o', source[:-2] + '.o'], check=True)
             return source[:-2] + '.o'
         with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
             objects = list(pool.map(compile_chunk, range(len(chunks))))

@@ -105,7 +105,7 @@ static float as_float(uint32_t bits)
 static double ulp(double value)
 {
     int exponent;
-    (void)frexp(fabs(value) < FLT_MIN ? FLT_MIN : value, &exponent);
+    (void)frexp(fabs(value) < (double)FLT_MIN ? (double)FLT_MIN : value, &exponent);
     return ldexp(1, exponent - 24);
 }
 

@@ -31,7 +31,7 @@ static double value_at(int x, int y, int component, double w)
     const double a = (x + 0.5) / WIDTH, along = a / w / (1 - a + a / w), here = 1 + along * (w - 1);
     const double down = (1 - (1 - 2 * (y + 0.5) / HEIGHT) * here / w) / 2;
     const double parts[4] = {along, down, (along + down) / 2, 1 - (along + down) / 2};
-    return low[component] + ((double)high[component] - low[component]) * parts[component];
+    return (double)low[component] + ((double)high[component] - (double)low[component]) * parts[component];
 }
 
 static void make_image(struct bench *bench)
@@ -147,9 +147,9 @@ static void expect(const struct bench *bench, uint32_t which, bool along_y, doub
         for (int x = 0; x < WIDTH - 1; x++) {
             for (int c = 0; c < 4; c++) {
                 const double want = difference(x, y, c, along_y, w, is_square);
-                const double a = is_square ? (double)low[c] * low[c] : low[c],
-                             b = is_square ? (double)high[c] * high[c] : high[c];
-                const double got = bench->pixels[y * WIDTH + x][c];
+                const double a = (double)low[c] * (is_square ? (double)low[c] : 1),
+                             b = (double)high[c] * (is_square ? (double)high[c] : 1);
+                const double got = (double)bench->pixels[y * WIDTH + x][c];
                 if (!(fabs(got - want) <= threshold(a, b, want))) {
                     fail_msg("derivative %u along %s at %d, %d, component %d: %g instead of %g, threshold %g",
                              (unsigned)which, along_y ? "y" : "x", x, y, c, got, want, threshold(a, b, want));
@@ -202,7 +202,7 @@ static void test_widths(void **state)
             for (int c = 0; c < 4; c++) {
                 const int x = i % WIDTH, y = i / WIDTH;
                 const double want = fabs(difference(x, y, c, along_y, 1, false));
-                if (x < WIDTH - 1 && !(fabs(bench.pixels[i][c] - want) <= 2e-4)) {
+                if (x < WIDTH - 1 && !(fabs((double)bench.pixels[i][c] - want) <= 2e-4)) {
                     fail_msg("width at %d, %d: %g instead of %g", x, y, (double)bench.pixels[i][c], want);
                 }
             }
@@ -229,7 +229,8 @@ static void test_nested_and_in_branches(void **state)
             const double part = 7 * (x + 0.5) / WIDTH - floor(7 * (x + 0.5) / WIDTH);
             const bool is_square = part <= 0.5;
             const double want = difference(x, y, 0, along_y, 1, is_square);
-            if (x < WIDTH - 1 && fabs(part - 0.5) > 1e-3 && !(fabs(bench.pixels[i][0] - want) <= 0.01)) {
+            if (x < WIDTH - 1 && fabs(part - 0.5) > 1e-3 &&
+                !(fabs((double)bench.pixels[i][0] - want) <= 0.01)) {
                 fail_msg("in a branch at %d, %d: %g instead of %g", x, y, (double)bench.pixels[i][0], want);
             }
         }

@@ -280,11 +280,34 @@ static void test_bounds_are_named(void **state)
     finish("ids", "refused: bound of 1048577 ids", module);
 }
 
+static void test_layouts_are_bounded(void **state)
+{
+    (void)state;
+    struct growing whole, *const module = &whole;
+    begin(module);
+    declare(module);
+    begin_function(module, MAIN);
+    end_function(module);
+    module->words[3] = module->next_id;
+    const struct rhw_shader_def def = {.stage = RHW_SHADER_COMPUTE};
+    const struct rhw_shader_layout layout[] = {{0, 0, INT32_MAX / 2}, {0, 1, INT32_MAX / 2}, {0, 2, 2}};
+    char message[RHW_SHADER_MESSAGE];
+    rhw_shader *shader;
+    rhw_shader_program *program;
+    const size_t size = module->count * sizeof(uint32_t);
+    assert_int_equal(rhw_shader_create(module->words, size, &def, &shader, message), RHW_OK);
+    const struct rhw_shader_program_def link = {.compute = shader, .layout = layout, .layout_count = 3};
+    assert_int_equal(rhw_shader_program_create(&link, &program, message), RHW_ERROR_MISUSE);
+    assert_non_null(strstr(message, "fewer than 2^31"));
+    rhw_shader_destroy(shader);
+    free(module->words);
+}
+
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_broken_rules_are_named),     cmocka_unit_test(test_many_blocks),
     cmocka_unit_test(test_switches_within_each_other), cmocka_unit_test(test_calls_that_double),
     cmocka_unit_test(test_constants_of_one_bucket),    cmocka_unit_test(test_decorations_without_end),
-    cmocka_unit_test(test_bounds_are_named),
+    cmocka_unit_test(test_bounds_are_named),           cmocka_unit_test(test_layouts_are_bounded),
 };
 
 const struct unit_tests test_spirv_hostile = UNIT_TESTS(tests, NULL, NULL);
