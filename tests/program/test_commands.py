@@ -156,6 +156,7 @@ def make_checkout(folder, root, build):
     shutil.copytree(root / "examples", folder / "examples")
     (folder / "tests").unlink()
     shutil.copytree(root / "tests" / "golden", folder / "tests" / "golden")
+    (folder / "tests" / "unit").symlink_to(root / "tests" / "unit")
     (folder / "build").symlink_to(build)
     (folder / "build-test").mkdir()
     (folder / "build-test" / "release").symlink_to(build)
