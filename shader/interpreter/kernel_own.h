@@ -57,13 +57,10 @@ static void run_LOAD_TABLE(struct frame *frame, const struct shader_instruction 
 {
     const struct shader_bytecode *const bytecode = frame->bytecode;
     union vector *const d = &frame->registers[in->result.vector];
-    const int count = in->is_uniform ? 1 : frame->groups;
-    for (int i = 0; i < count; i++) {
-        const rhw_int index = word_index(frame, in, i);
-        for (int lane = 0; lane < RHW_LANES; lane++) {
-            const uint32_t word = (uint32_t)index[lane];
-            d[i].i[lane] = word < bytecode->table_count ? (int32_t)bytecode->table[word] : 0;
-        }
+    const int first = in->is_uniform ? 0 : frame->range.first, end = in->is_uniform ? 1 : frame->range.end;
+    const int32_t *const table = (const int32_t *)bytecode->table;
+    for (int i = first; i < end; i++) {
+        d[i].i = rhw_gather_int(table, (int32_t)bytecode->table_count, word_index(frame, in, i));
     }
 }
 
