@@ -23,7 +23,8 @@ _PUSH = -1  # the place of the push constants among blocks
 #: A shader: GLSL, SPIR-V, or the path of a file with either.
 Source = Union[str, bytes, "os.PathLike[str]"]
 Key = Union[str, Tuple[int, int]]
-Values = Mapping[Key, Any]
+#: Values by name, or by (set, binding). The type of keys of a Mapping would have to be exact.
+Values = Mapping[Any, Any]
 
 
 class CompileError(ValueError):
