@@ -55,7 +55,8 @@ static struct image_access begin_access(struct shader_builder *builder, uint32_t
     }
     memset(access.values, 0, sizeof access.values);
     access.image = image_type_of(builder, shader_type_of_value(builder, id));
-    if (access.image->image.is_storage && access.image->image.is_multisampled) {
+    if (access.image->image.is_storage && access.image->image.is_multisampled &&
+        access.image->image.dim != SPIRV_DIM_SUBPASS) {
         shader_build_refuse(builder, "storage images with several samples are not supported");
     }
     access.values[SHADER_IMAGE_TEXTURE] = place->buffer;

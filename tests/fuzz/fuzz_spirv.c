@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Gives the translator hostile SPIR-V modules, and runs what it takes: each is refused with one line or translated, linked
-// and run on a small target, in bounded time. A sanitizer sees what goes wrong. Modules that are taken become seeds, so that
-// changes add up. The same seed makes the same modules.
+// Gives the translator hostile SPIR-V modules, and runs what it takes: each is refused with one line, or translated,
+// linked and run on a small target, in bounded time. What a compute shader leaves in its buffers is the same by the
+// instruction set of this machine and by the baseline. A sanitizer sees what goes wrong. Modules that are taken become
+// seeds, so that changes add up. The same seed makes the same modules.
 //
 //   fuzz_spirv COUNT SEED FOLDER        COUNT mutations of the *.spv files of a folder
 //   fuzz_spirv replay FILE...           the files as they are
@@ -31,6 +32,7 @@ enum {
 
 struct fuzz {
     rhw_context *context;
+    rhw_context *baseline; // of the instruction set that every machine has
     rhw_texture target, texture;
     rhw_sampler sampler;
     rhw_buffer vertices;
@@ -91,6 +93,11 @@ static void open_context(struct fuzz *fuzz)
         die("no context", "");
     }
     rhw_context_set_goes_on(fuzz->context, goes_on, &give_up_at);
+    def.isa_limit = RHW_ISA_UP_TO_BASELINE;
+    if (rhw_context_create(&def, &fuzz->baseline) != RHW_OK) {
+        die("no context", "");
+    }
+    rhw_context_set_goes_on(fuzz->baseline, goes_on, &give_up_at);
 }
 
 static void fill_binding(struct fuzz *fuzz, enum rhw_shader_resource_kind kind, struct rhw_binding *binding)
@@ -144,13 +151,46 @@ static bool bind(struct fuzz *fuzz, const rhw_shader_program *program, const rhw
 
 // Running --------------------------------------------------------------------------------------------
 
+static bool is_nan(uint32_t bits)
+{
+    return (bits & 0x7fffffff) > 0x7f800000;
+}
+
 static void dispatch(struct fuzz *fuzz, const rhw_shader_program *program,
-                     const struct rhw_shader_frame *frame)
+                     const struct rhw_shader_frame *frame, bool has_images)
 {
     const struct rhw_dispatch_def def = {.program = *rhw_shader_program_get_compute(program),
                                          .uniforms = frame,
                                          .uniform_bytes = sizeof *frame};
-    (void)rhw_dispatch(fuzz->context, &def, 2, 1, 1);
+    uint32_t before[sizeof fuzz->memory / 4], after[sizeof fuzz->memory / 4];
+    memcpy(before, fuzz->memory, sizeof before);
+    const enum rhw_result result = rhw_dispatch(fuzz->context, &def, 2, 1, 1);
+    if (has_images) {
+        return;
+    }
+    memcpy(after, fuzz->memory, sizeof after);
+    memcpy(fuzz->memory, before, sizeof before);
+    if (result != RHW_OK || rhw_dispatch(fuzz->baseline, &def, 2, 1, 1) != RHW_OK) {
+        return;
+    }
+    for (size_t i = 0; i < sizeof after / 4; i++) {
+        // Which NaN comes of an operation is not said.
+        if (after[i] != fuzz->memory[i] && !(is_nan(after[i]) && is_nan(fuzz->memory[i]))) {
+            fprintf(stderr, "fuzz_spirv: word %zu is %08x, and %08x by the baseline\n", i, (unsigned)after[i],
+                    (unsigned)fuzz->memory[i]);
+            abort();
+        }
+    }
+}
+
+static bool has_images(const rhw_shader *shader)
+{
+    const struct rhw_shader_info *const info = rhw_shader_get_info(shader);
+    bool result = false;
+    for (uint32_t r = 0; r < info->resource_count; r++) {
+        result = result || info->resources[r].kind > RHW_SHADER_STORAGE_BUFFER;
+    }
+    return result;
 }
 
 static void draw(struct fuzz *fuzz, const rhw_shader_program *program, const struct rhw_shader_frame *frame)
@@ -189,6 +229,18 @@ static void check_message(const char *message, enum rhw_result result)
     }
 }
 
+// Write a program as C. What is linked is written, or refused in one line.
+static void write_c(const rhw_shader_program *program)
+{
+    const struct rhw_shader_c_def def = {.name = "fuzz"};
+    char message[RHW_SHADER_MESSAGE], *text;
+    const enum rhw_result result = rhw_shader_program_emit_c(program, &def, &text, message);
+    if (result != RHW_OK) {
+        check_message(message, result);
+    }
+    rhw_shader_free_text(text);
+}
+
 static void run(struct fuzz *fuzz, const rhw_shader *shader, enum rhw_shader_stage stage)
 {
     const rhw_shader *const vertex = stage == RHW_SHADER_VERTEX ? shader : fuzz->vertex;
@@ -206,11 +258,12 @@ static void run(struct fuzz *fuzz, const rhw_shader *shader, enum rhw_shader_sta
         return;
     }
     fuzz->linked++;
+    write_c(program);
     if (bind(fuzz, program, shader, &frame)) {
         fuzz->ran++;
         give_up_at = seconds() + 0.02;
         if (is_compute) {
-            dispatch(fuzz, program, &frame);
+            dispatch(fuzz, program, &frame, has_images(shader));
         } else {
             draw(fuzz, program, &frame);
         }
@@ -365,6 +418,9 @@ int main(int argc, char **argv)
         die("cannot write", "hostile.spv");
     }
     fuzz->shown = shown;
+    for (uint32_t i = 0; i < sizeof fuzz->memory / 4; i++) { // floats of ordinary size
+        fuzz->memory[i] = 0x3e000000 + i * 0x00123457 % 0x02800000;
+    }
     open_context(fuzz);
     if (strcmp(argv[1], "replay") == 0) {
         static struct spirv_words module;
@@ -385,6 +441,7 @@ int main(int argc, char **argv)
     rhw_shader_destroy(fuzz->vertex);
     rhw_shader_destroy(fuzz->fragment);
     rhw_context_destroy(fuzz->context);
+    rhw_context_destroy(fuzz->baseline);
     munmap(shown, size);
     close(file);
     (void)unlink("hostile.spv");
