@@ -143,6 +143,11 @@ static void record_draws(const struct bench_state *s, rhw_context *context, rhw_
             set_uniforms(s, context, pass, draw);
             set_textures(s, context, pass, draw);
         }
+        if (draw->has_scissor) {
+            const struct rhw_rect scissor = {draw->scissor[0], draw->scissor[1], draw->scissor[2],
+                                             draw->scissor[3]};
+            rhw_pass_set_scissor(context, pass, &scissor);
+        }
         rhw_pass_draw_indexed(context, pass, 0, mesh->index_count, 0, 0,
                               mesh->instance_count ? mesh->instance_count : 1);
     }

@@ -319,14 +319,11 @@ static void declare_mask(struct shader_emitter *emitter, uint32_t mask)
 // Homes of a run begin with it.
 static void begin_homes(struct shader_emitter *emitter)
 {
-    for (uint32_t value = 0; value < emitter->form->node_count; value++) {
-        if (emitter->form->nodes[value].op == SHADER_HOME && emitter->plan.uses[value] > 0 &&
-            !emitter->plan.is_kept[value] && emitter->plan.home_run[value] == emitter->run) {
-            const bool is_float = emitter->plan.is_float[value];
-            shader_text_line(emitter->out, "%s h%u = %s;", is_float ? "rhw_float" : "rhw_int",
-                             (unsigned)value,
-                             shader_c_number(emitter, emitter->form->nodes[value].immediate, is_float));
-        }
+    const struct shader_c_plan *const plan = &emitter->plan;
+    for (uint32_t home = plan->first_home[emitter->run]; home != 0; home = plan->next_home[home - 1]) {
+        const bool is_float = plan->is_float[home - 1];
+        shader_text_line(emitter->out, "%s h%u = %s;", is_float ? "rhw_float" : "rhw_int", (unsigned)home - 1,
+                         shader_c_number(emitter, emitter->form->nodes[home - 1].immediate, is_float));
     }
 }
 

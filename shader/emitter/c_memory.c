@@ -19,11 +19,11 @@ static const char *interface_name(struct shader_emitter *emitter, uint32_t slot,
     const struct shader_module *const module = emitter->form->module;
     for (uint32_t i = 0; i < module->variable_count; i++) {
         const struct shader_variable *const variable = module->variables[i];
-        const char *const name = shader_c_clean(emitter->memory, module->names[variable->id]);
         const uint32_t first = (uint32_t)variable->location * COMPONENTS +
                                (variable->component < 0 ? 0 : (uint32_t)variable->component);
-        if (variable->storage == storage && variable->location >= 0 && name[0] && slot >= first &&
-            slot < first + variable->type->scalars) {
+        if (variable->storage == storage && variable->location >= 0 && module->names[variable->id] &&
+            slot >= first && slot < first + variable->type->scalars) {
+            const char *const name = shader_c_clean(emitter->memory, module->names[variable->id]);
             return variable->type->scalars == 1
                        ? name
                        : shader_format(emitter->memory, "%s[%u]", name, (unsigned)(slot - first));

@@ -195,9 +195,15 @@ static void place_homes(struct shader_memory *memory, struct shader_c_plan *plan
             wide_loops -= op == SHADER_END_LOOP && plan->structures[stack[depth]].is_wide ? 1 : 0;
         }
     }
-    for (uint32_t value = 0; value < form->node_count; value++) {
-        if (form->nodes[value].op == SHADER_HOME) {
-            plan->is_kept[value] = is_seen[value] && plan->home_run[value] == SHADER_C_NONE;
+    for (uint32_t value = form->node_count; value-- > 0;) {
+        if (!is_seen[value]) {
+            continue;
+        }
+        const uint32_t run = plan->home_run[value];
+        plan->is_kept[value] = run == SHADER_C_NONE;
+        if (run != SHADER_C_NONE) {
+            plan->next_home[value] = plan->first_home[run];
+            plan->first_home[run] = value + 1;
         }
     }
 }
@@ -390,7 +396,9 @@ void shader_c_make_plan(struct shader_memory *memory, const struct shader_progra
     for (uint32_t i = 0; i < form->code_count; i++) {
         plan->has_cuts = plan->has_cuts || shader_c_is_cut(plan, i);
     }
-    (void)number_runs(plan, 0, form->code_count, 0);
+    const uint32_t last_run = number_runs(plan, 0, form->code_count, 0);
+    plan->first_home = shader_take(memory, last_run + 1, sizeof(uint32_t));
+    plan->next_home = shader_take(memory, nodes, sizeof(uint32_t));
     find_hoisted(plan);
     find_kept(memory, plan);
     find_types(plan);

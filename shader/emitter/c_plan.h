@@ -33,6 +33,8 @@ struct shader_c_plan {
     bool *is_hoisted;          // by value: it is computed once a call
     bool *is_kept;             // by value: it has an element for each group
     uint32_t *home_run;        // by value: the run that a home belongs to; SHADER_C_NONE: it is kept
+    uint32_t *first_home;      // by run: the first of its homes, counted from 1
+    uint32_t *next_home;       // by value: the next home of its run, counted from 1
     bool has_cuts, has_effects, loses_lanes;
 };
 

@@ -66,10 +66,10 @@ enum shader_built_in {
 
 // Numbers of inputs. A fragment shader may take an input at another place than it is declared for.
 enum shader_input {
-    SHADER_IN_DECLARED,                                    // 4 components for each location
-    SHADER_IN_CENTROID = 128,                              // 4 components for each location, at the centroid
-    SHADER_IN_CENTER = 256,                                // 4 components for each location, at the centre of the pixel
-    SHADER_IN_CLIP_DISTANCE = 384,                         // 8
+    SHADER_IN_DECLARED,            // 4 components for each location
+    SHADER_IN_CENTROID = 128,      // 4 components for each location, at the centroid
+    SHADER_IN_CENTER = 256,        // 4 components for each location, at the centre of the pixel
+    SHADER_IN_CLIP_DISTANCE = 384, // 8
     SHADER_IN_CULL_DISTANCE = SHADER_IN_CLIP_DISTANCE + 8, // 8
     SHADER_IN_NUMBERS = SHADER_IN_CULL_DISTANCE + 8
 };

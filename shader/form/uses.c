@@ -13,7 +13,8 @@ static void add_up(uint32_t *counts, uint32_t values)
     }
 }
 
-// Count the SETs of homes and the STOREs to memory of the lane, or, in a second round, write them down where they begin by then.
+// Count the SETs of homes and the STOREs to memory of the lane, or, in a second round, write them down where they
+// begin by then.
 static void walk_sets(const struct shader_program *program, struct shader_uses *uses, bool writes)
 {
     for (uint32_t i = 0; i < program->code_count; i++) {

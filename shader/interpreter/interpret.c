@@ -117,7 +117,7 @@ static shader_kernel *const kernels[SHADER_COUNT_OPS] = {
     ENTRY(SAMPLE_X),
     ENTRY(SAMPLE_Y),
     [SHADER_PUSH] = run_NOTHING,
-    [SHADER_WORKGROUP] = run_NOTHING,
+    ENTRY(WORKGROUP),
     [SHADER_BARRIER] = run_NOTHING,
     ENTRY(ATOMIC),
     ENTRY(IMAGE_ATOMIC),

@@ -174,6 +174,16 @@ static void run_BUFFER(struct frame *frame, const struct shader_instruction *in)
     run_COPY(frame, in);
 }
 
+// The memory of the workgroup is element 0 of what it stands for.
+static void run_WORKGROUP(struct frame *frame, const struct shader_instruction *in)
+{
+    union vector *const d = &frame->registers[in->result.vector];
+    const int count = in->is_uniform ? 1 : frame->groups;
+    for (int i = 0; i < count; i++) {
+        d[i].i = rhw_splat_int(0);
+    }
+}
+
 static void run_NOTHING(struct frame *frame, const struct shader_instruction *in)
 {
     (void)frame;

@@ -229,6 +229,18 @@ static void check_message(const char *message, enum rhw_result result)
     }
 }
 
+// Write a program as C. What is linked is written, or refused in one line.
+static void write_c(const rhw_shader_program *program)
+{
+    const struct rhw_shader_c_def def = {.name = "fuzz"};
+    char message[RHW_SHADER_MESSAGE], *text;
+    const enum rhw_result result = rhw_shader_program_emit_c(program, &def, &text, message);
+    if (result != RHW_OK) {
+        check_message(message, result);
+    }
+    rhw_shader_free_text(text);
+}
+
 static void run(struct fuzz *fuzz, const rhw_shader *shader, enum rhw_shader_stage stage)
 {
     const rhw_shader *const vertex = stage == RHW_SHADER_VERTEX ? shader : fuzz->vertex;
@@ -246,6 +258,7 @@ static void run(struct fuzz *fuzz, const rhw_shader *shader, enum rhw_shader_sta
         return;
     }
     fuzz->linked++;
+    write_c(program);
     if (bind(fuzz, program, shader, &frame)) {
         fuzz->ran++;
         give_up_at = seconds() + 0.02;

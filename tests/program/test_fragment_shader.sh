@@ -114,7 +114,7 @@ there_are_no_push_constants layout(push_constant) uniform P { vec4 p; }; void ma
 writes_'more'_at_location_1,_and_only_a_vec4_at_location_0_is_drawn layout(location = 1) out vec4 more; void main() { color = more = vec4(1); }
 BAD
 echo 'layout(location = 5) in vec4 a; layout(location = 0) out vec4 color; void main() { color = a; }' >bad.frag
-refuse 1 "bad.frag: the fragment stage reads a location" render squares.obj -o a.png --fragment-shader bad.frag
+refuse 1 "bad.frag: the fragment shader reads location 5" render squares.obj -o a.png --fragment-shader bad.frag
 rule="render: fragment shader: has no light before tone mapping, no wireframe, no noperspective and no exact transparency"
 refuse 2 "$rule" render squares.obj -o a.exr --fragment-shader green.frag
 for option in --wireframe --interpolate=noperspective --transparency=exact; do

@@ -138,7 +138,7 @@ refuse 1 "paint.frag:5: 'non-opaque uniforms outside a block'" shader paint.frag
 succeed shader paint.frag -D TONE=1 -I library --relaxed
 refuse 1 "red.frag: reads red at location 3; a vertex shader beside it gives that" shader red.frag --run -o a.png
 printf 'layout(location = 2) in float red;\nlayout(location = 0) out vec4 c;\nvoid main() { c = vec4(red); }\n' >other.frag
-refuse 1 "other.frag: the fragment stage reads a location that the vertex stage does not write" shader red.vert other.frag
+refuse 1 "other.frag: the fragment shader reads location 2, component 0, which the vertex shader does not write" shader red.vert other.frag
 refuse 1 "red.frag: is a fragment shader, and another is one, too" shader other.frag red.frag
 refuse 1 "double.comp: a compute shader goes alone" shader double.comp red.frag
 refuse 1 "none.frag: cannot be opened: No such file" shader none.frag

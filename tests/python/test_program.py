@@ -261,7 +261,7 @@ layout(location = 0) out vec4 color; void main() { color = texture(image, vec3(1
     (lambda: Program(compute=SCALE, constants=3), TypeError, "constants: must be a dictionary, not 3"),
     (lambda: Program(compute=SCALE, constants={"STEP": 3}), TypeError, "constants: must be a whole number"),
     (lambda: Program(vertex=COVER, fragment="layout(location = 2) in vec4 a; layout(location = 0) out vec4 c; void main() { c = a; }"),
-     ValueError, "reads a location that the vertex stage does not write"),
+     ValueError, "the fragment shader reads location 2, component 0, which the vertex shader does not write"),
     (lambda: Program(vertex="layout(location = 0) in mat4 m; void main() { gl_Position = m[0]; }"), ValueError,
      "vertex: m at location 1: an input is a number or vector"),
     (lambda: Pipeline(program=3), TypeError, "program: must be a Program, not 3"),

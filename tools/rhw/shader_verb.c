@@ -338,13 +338,18 @@ static bool print_shader(const struct cli_shader_file *file, const struct cli_sh
     return true;
 }
 
+static const char *name_in_folder(const char *path)
+{
+    const char *const slash = strrchr(path, '/');
+    return slash ? slash + 1 : path;
+}
+
 // Write the program as C, whose names begin as the file does.
 static bool write_c(const struct cli_shader_file *files, int count, const rhw_shader_program *program,
                     const char *path)
 {
     char name[64], source[512], message[RHW_SHADER_MESSAGE];
-    const char *const slash = strrchr(path, '/');
-    const char *const file = slash ? slash + 1 : path;
+    const char *const file = name_in_folder(path);
     const size_t length = strlen(file) - strlen(".c");
     if (length >= sizeof name || strspn(file, identifier) < length || (file[0] >= '0' && file[0] <= '9')) {
         cli_error(
@@ -355,8 +360,8 @@ static bool write_c(const struct cli_shader_file *files, int count, const rhw_sh
         return false;
     }
     snprintf(name, sizeof name, "%.*s", (int)length, file);
-    snprintf(source, sizeof source, "%.200s%s%.200s", files[0].path, count > 1 ? " and " : "",
-             count > 1 ? files[1].path : "");
+    snprintf(source, sizeof source, "%.200s%s%.200s", name_in_folder(files[0].path), count > 1 ? " and " : "",
+             count > 1 ? name_in_folder(files[1].path) : "");
     const struct rhw_shader_c_def def = {.name = name, .source = source};
     char *text;
     if (rhw_shader_program_emit_c(program, &def, &text, message) != RHW_OK) {
