@@ -40,16 +40,27 @@ static void read_image_request(const struct frame *frame, const struct shader_op
         r->whole[i] = image_operand(frame, operands, SHADER_IMAGE_COORDINATES + i, group);
         r->at[i] = rhw_float_from_bits(r->whole[i]);
     }
+    // A texture of more dimensions than the shader knows of is read at 0 of those.
+    for (int i = coordinates; i < 4; i++) {
+        r->whole[i] = rhw_splat_int(0);
+        r->at[i] = rhw_splat(0.0f);
+    }
     if (flags & SHADER_IMAGE_HAS_GRADIENT) {
         for (int i = 0; i < spatial; i++) {
             r->gradient[i] = image_float(frame, operands, SHADER_IMAGE_DX + i, group);
             r->gradient[spatial + i] = image_float(frame, operands, SHADER_IMAGE_DY + i, group);
+        }
+        for (int i = 2 * spatial; i < 6; i++) {
+            r->gradient[i] = rhw_splat(0.0f);
         }
         r->request.gradient = r->gradient;
     }
     if (flags & SHADER_IMAGE_HAS_OFFSET) {
         for (int i = 0; i < spatial; i++) {
             r->offset[i] = image_operand(frame, operands, SHADER_IMAGE_OFFSET + i, group);
+        }
+        for (int i = spatial; i < 3; i++) {
+            r->offset[i] = rhw_splat_int(0);
         }
         r->request.offset = r->offset;
     }

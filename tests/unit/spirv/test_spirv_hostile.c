@@ -5,7 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "unit.h"
+#include "mistaken_comp.h"
+#include "spirv_run.h"
 
 struct assembled {
     const char *name, *expected; // "refused: " and a part of the message, or "taken"
@@ -303,11 +304,45 @@ static void test_layouts_are_bounded(void **state)
     free(module->words);
 }
 
+// A texture with a dimension that the shader does not know of is read at its first slice.
+static void test_a_texture_of_another_kind(void **state)
+{
+    (void)state;
+    static const float texels[4] = {1, 2, 3, 4};
+    const struct rhw_texture_def texture = {
+        .format = RHW_FORMAT_R32_FLOAT, .kind = RHW_TEXTURE_3D, .width = 1, .height = 1, .depth = 4};
+    struct rhw_sampler_def sampler = rhw_sampler_def_default();
+    sampler.min_filter = sampler.mag_filter = RHW_FILTER_NEAREST;
+    struct rig rig;
+    rhw_texture solid;
+    rhw_sampler nearest;
+    struct rhw_binding set[2];
+    float results[8][4] = {{0}};
+    rig_open(&rig, 4, 4);
+    assert_int_equal(rhw_texture_create(rig.context, &texture, &solid), RHW_OK);
+    assert_int_equal(rhw_sampler_create(rig.context, &sampler, &nearest), RHW_OK);
+    assert_int_equal(rhw_texture_write(rig.context, solid, 0, texels, 0), RHW_OK);
+    assert_int_equal(rhw_binding_of_texture(rig.context, solid, nearest, &set[0]), RHW_OK);
+    set[1] = spirv_memory(results, sizeof results);
+    rhw_shader_program *const program =
+        spirv_link(NULL, NULL, SPIRV_CREATE(mistaken_comp, RHW_SHADER_COMPUTE));
+    const struct rhw_shader_frame frame = {.sets = {set}};
+    assert_int_equal(spirv_dispatch(&rig, program, &frame, 1), RHW_OK);
+    for (int i = 0; i < 8; i++) {
+        assert_memory_equal(results[i], ((const float[4]){1, 0, 0, 1}), sizeof *results);
+    }
+    rhw_shader_program_destroy(program);
+    rhw_sampler_destroy(rig.context, nearest);
+    rhw_texture_destroy(rig.context, solid);
+    rig_close(&rig);
+}
+
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_broken_rules_are_named),     cmocka_unit_test(test_many_blocks),
     cmocka_unit_test(test_switches_within_each_other), cmocka_unit_test(test_calls_that_double),
     cmocka_unit_test(test_constants_of_one_bucket),    cmocka_unit_test(test_decorations_without_end),
     cmocka_unit_test(test_bounds_are_named),           cmocka_unit_test(test_layouts_are_bounded),
+    cmocka_unit_test(test_a_texture_of_another_kind),
 };
 
 const struct unit_tests test_spirv_hostile = UNIT_TESTS(tests, NULL, NULL);
