@@ -50,6 +50,7 @@ NOT_RUN = {
     r"script/format": "writes into the sources; script/test has --check",
     r"script/completions build/rhw": "writes into the sources; program_documents compares",
     r"script/gallery": "writes into the sources; program_gallery compares",
+    r"script/window *#.*": "writes into the sources; program_view looks at a window",
     r"script/losses": "writes into the sources; python_long compares",
     r"script/notebook": "writes into the sources; python_long compares",
     r".*/golden tests/golden/scenes\.txt --update": "half a minute; the test golden draws the same scenes",
@@ -79,6 +80,7 @@ GIVEN = {
     r"out/recipes/window": "SDL_VIDEODRIVER=dummy out/recipes/window --frames 2",
     r"^make -B": "make -C examples/embedding -B",
     r"bench --scene fill": "bench --frames 1 --size 160x90 --peer none --scene fill_flat",
+    r"bench --peer (interpreter|emitted)": r"bench --frames 1 --size 160x90 --scene fill_flat --peer \1",
     r"bench --save": "bench --frames 1 --size 160x90 --peer none --scene fill_flat --save",
 }
 

@@ -3,6 +3,7 @@
 #include "eye.h"
 
 #include "draw/camera/subject.h"
+#include "elementary.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -55,7 +56,7 @@ static double axes_of(const struct view_eye *eye, double axes[3][3])
 
 static double half_height(const struct view_eye *eye, double distance)
 {
-    return eye->orthographic ? 0.5 * eye->height : distance * tan(0.5 * eye->fovy * degree);
+    return eye->orthographic ? 0.5 * eye->height : distance * scene_tan(0.5 * eye->fovy * degree);
 }
 
 static double to_digits(double number, int digits)
@@ -136,8 +137,8 @@ static void turn(double axes[3][3], const double vertical[3], double right, doub
     const double rises = asin(sine > 1.0 ? 1.0 : sine < -1.0 ? -1.0 : sine) + up;
     const double elevation = rises > most ? most : rises < -most ? -most : rises;
     for (int c = 0; c < 3; c++) {
-        turned[c] =
-            (level[c] * cos(right) + side[c] * sin(right)) * cos(elevation) + vertical[c] * sin(elevation);
+        turned[c] = (level[c] * scene_cos(right) + side[c] * scene_sin(right)) * scene_cos(elevation) +
+                    vertical[c] * scene_sin(elevation);
     }
 }
 
@@ -199,7 +200,7 @@ void view_eye_fly(struct view_eye *eye, const double way[3])
     double axes[3][3];
     const double distance = axes_of(eye, axes);
     move(eye, axes, way[0], way[1], eye->orthographic ? 0.0 : way[2]);
-    eye->height *= exp(-way[2] / distance);
+    eye->height *= scene_exp(-way[2] / distance);
     round_all(eye);
 }
 
@@ -207,14 +208,14 @@ void view_eye_fit(struct view_eye *eye, const double middle[3], double radius, d
 {
     double axes[3][3];
     const double before = axes_of(eye, axes), half = 0.5 * eye->fovy * degree,
-                 across = atan(tan(half) * aspect);
+                 across = scene_atan(scene_tan(half) * aspect);
     memcpy(eye->target, middle, sizeof eye->target);
     memcpy(eye->eye, middle, sizeof eye->eye);
     if (eye->orthographic) {
         eye->height = 2.0 * radius / (aspect < 1.0 ? aspect : 1.0);
         add(eye->eye, axes[2], -(before > 2.0 * radius ? before : 2.0 * radius));
     } else {
-        add(eye->eye, axes[2], -radius / sin(across < half ? across : half));
+        add(eye->eye, axes[2], -radius / scene_sin(across < half ? across : half));
     }
     round_all(eye);
 }

@@ -2,6 +2,8 @@
 // The mouse, and flying; see session.h.
 #include "session.h"
 
+#include "elementary.h"
+
 #include <math.h>
 
 enum { CLICK_PIXELS = 3, WHEEL_LINES = 3 };
@@ -71,7 +73,7 @@ static void scroll(struct view_session *s, int up)
     int x, y, pixel_x, pixel_y;
     SDL_GetMouseState(&x, &y);
     view_window_pixel(&s->window, x, y, &pixel_x, &pixel_y);
-    const double half = 0.5 * s->window.height, factor = pow(zoom_of_notch, up),
+    const double half = 0.5 * s->window.height, factor = scene_pow(zoom_of_notch, up),
                  seen = view_eye_scale(&s->eye) * factor / s->extent;
     if ((factor < 1.0 && seen < nearest) || (factor > 1.0 && seen > farthest)) {
         return; // the way back is open
