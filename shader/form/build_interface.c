@@ -259,7 +259,9 @@ void shader_build_interface_variable(struct shader_builder *builder, const struc
 void shader_write_outputs(struct shader_builder *builder)
 {
     struct shader_program *const program = builder->program;
-    // Only what is stored to somewhere is an output.
+    // Only what is stored to somewhere is an output, but a fragment writes all of the colours that it names: those without
+    // a value are 0.
+    const bool is_fragment = builder->entry->model == SPIRV_FRAGMENT;
     bool *const is_set = shader_take(builder->memory, program->node_count, sizeof *is_set);
     for (uint32_t i = 0; i < program->code_count; i++) {
         const struct shader_node *const node = &program->nodes[program->code[i]];
@@ -269,7 +271,8 @@ void shader_write_outputs(struct shader_builder *builder)
     }
     for (uint32_t slot = 0; slot < SHADER_OUT_COUNT; slot++) {
         const uint32_t home = builder->output_homes[slot];
-        if (home != SHADER_NO_VALUE && is_set[home]) {
+        const bool is_color = is_fragment && slot >= SHADER_OUT_VARYING;
+        if (home != SHADER_NO_VALUE && (is_set[home] || is_color)) {
             program->writes[slot] = true;
             (void)shader_emit_with(builder, SHADER_OUTPUT, slot, shader_get_home(builder, home), 0, 0);
         }

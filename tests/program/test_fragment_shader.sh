@@ -113,6 +113,10 @@ there_is_no_such_'c'_at_set_0,_binding_1 layout(binding = 1) uniform samplerCube
 there_are_no_push_constants layout(push_constant) uniform P { vec4 p; }; void main() { color = p; }
 writes_'more'_at_location_1,_and_only_a_vec4_at_location_0_is_drawn layout(location = 1) out vec4 more; void main() { color = more = vec4(1); }
 BAD
+echo 'void main() {}' >bad.frag
+refuse 1 "bad.frag: writes no colour, which is a vec4 at location 0; $see" render squares.obj -o a.png --fragment-shader bad.frag
+echo 'layout(location = 0) out vec4 color; void main() {}' >black.frag
+check "what is not written is 0" "$rhw" render squares.obj -o a.png --fragment-shader black.frag
 echo 'layout(location = 5) in vec4 a; layout(location = 0) out vec4 color; void main() { color = a; }' >bad.frag
 refuse 1 "bad.frag: the fragment shader reads location 5" render squares.obj -o a.png --fragment-shader bad.frag
 rule="render: fragment shader: has no light before tone mapping, no wireframe, no noperspective and no exact transparency"

@@ -70,6 +70,10 @@ static bool check(const char *path, const struct rhw_shader_info *info)
         cli_error(path, "there are no push constants; %s", hint);
         return false;
     }
+    if (info->output_count == 0) {
+        cli_error(path, "writes no colour, which is a vec4 at location 0; %s", hint);
+        return false;
+    }
     for (uint32_t i = 0; i < info->output_count; i++) {
         if (info->outputs[i].location != 0 || info->outputs[i].is_integer) {
             cli_error(path, "writes '%s' at location %u, and only a vec4 at location 0 is drawn; %s",
