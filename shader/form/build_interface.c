@@ -259,8 +259,8 @@ void shader_build_interface_variable(struct shader_builder *builder, const struc
 void shader_write_outputs(struct shader_builder *builder)
 {
     struct shader_program *const program = builder->program;
-    // Only what is stored to somewhere is an output, but a fragment writes all of the colours that it names: those without
-    // a value are 0.
+    // Only what is stored to somewhere is an output, but a fragment writes all of the colours that it names: those
+    // without a value are 0.
     const bool is_fragment = builder->entry->model == SPIRV_FRAGMENT;
     bool *const is_set = shader_take(builder->memory, program->node_count, sizeof *is_set);
     for (uint32_t i = 0; i < program->code_count; i++) {
