@@ -340,9 +340,9 @@ static const char *load_alike(struct shader_emitter *emitter, const struct shade
     const char *const index = index_text(emitter, node->operands[1], node->immediate, true);
     const uint32_t buffer = shader_c_resource(emitter, node->operands[0]);
     const bool is_push = emitter->form->nodes[buffer].op == SHADER_PUSH;
-    const char *const word = is_push ? shader_format(emitter->memory, "rhw_spirv_push_word(frame, %s)", index)
-                                     : shader_format(emitter->memory, "rhw_spirv_word(words%u, %s)",
-                                                     (unsigned)node->operands[0], index);
+    const char *const word =
+        is_push ? shader_format(emitter->memory, "rhw_spirv_push_word(frame, %s)", index)
+                : shader_format(emitter->memory, "rhw_spirv_word(words%u, %s)", (unsigned)buffer, index);
     return shader_format(emitter->memory,
                          is_float ? "rhw_float_from_bits(rhw_splat_int(%s))" : "rhw_splat_int(%s)", word);
 }

@@ -120,6 +120,9 @@ static const char *literal(struct shader_emitter *emitter, uint32_t bits, bool a
     }
     char digits[32];
     snprintf(digits, sizeof digits, "%.9g", (double)number);
+    for (char *c = digits; *c != '\0'; c++) {
+        *c = *c == ',' ? '.' : *c; // of the program's locale
+    }
     return shader_format(emitter->memory, "%s%s", digits, strpbrk(digits, ".e") ? "f" : ".0f");
 }
 

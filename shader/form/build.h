@@ -119,6 +119,7 @@ struct shader_builder {
     struct shader_construct *constructs;
     uint32_t *output_homes; // by enum shader_output, or SHADER_NO_VALUE
     unsigned second_target; // what stands in the place of target 1 (build_interface.c)
+    bool is_integer[(SHADER_OUT_COUNT - SHADER_OUT_VARYING) / 4]; // by location of outputs: whole numbers
 };
 
 // build.c ------------------------------------------------------------------------------------------

@@ -188,6 +188,9 @@ static void add_components(struct interface_walk *walk, const struct shader_type
         }
         add_scalar(walk, SHADER_INPUT, first + i);
     }
+    if (is_output && shader_scalar_type(type)->kind == SHADER_INT) {
+        builder->is_integer[(first - SHADER_OUT_VARYING) / COMPONENTS] = true;
+    }
 }
 
 // Give the scalars of a type their slots from a location on. Return the location behind.
@@ -256,12 +259,34 @@ void shader_build_interface_variable(struct shader_builder *builder, const struc
     }
 }
 
+static void write_output(struct shader_builder *builder, uint32_t slot, uint32_t value)
+{
+    builder->program->writes[slot] = true;
+    (void)shader_emit_with(builder, SHADER_OUTPUT, slot, value, 0, 0);
+}
+
+// Vulkan leaves it open what a colour has that no code sets. Here the components that are named are 0, and of the others
+// red to blue are 0 and alpha is 1.
+static void complete_color(struct shader_builder *builder, uint32_t first)
+{
+    const uint32_t *const homes = &builder->output_homes[first];
+    bool is_named = false;
+    for (uint32_t c = 0; c < COMPONENTS; c++) {
+        is_named = is_named || homes[c] != SHADER_NO_VALUE;
+    }
+    const bool is_integer = builder->is_integer[(first - SHADER_OUT_VARYING) / COMPONENTS];
+    const uint32_t alpha = is_integer ? shader_number(builder, 1) : shader_number_float(builder, 1.0f);
+    for (uint32_t c = 0; is_named && c < COMPONENTS; c++) {
+        if (!builder->program->writes[first + c]) {
+            const bool is_opaque = c == 3 && homes[c] == SHADER_NO_VALUE;
+            write_output(builder, first + c, is_opaque ? alpha : shader_number(builder, 0));
+        }
+    }
+}
+
 void shader_write_outputs(struct shader_builder *builder)
 {
     struct shader_program *const program = builder->program;
-    // Only what is stored to somewhere is an output, but a fragment writes all of the colours that it names: those
-    // without a value are 0.
-    const bool is_fragment = builder->entry->model == SPIRV_FRAGMENT;
     bool *const is_set = shader_take(builder->memory, program->node_count, sizeof *is_set);
     for (uint32_t i = 0; i < program->code_count; i++) {
         const struct shader_node *const node = &program->nodes[program->code[i]];
@@ -269,12 +294,14 @@ void shader_write_outputs(struct shader_builder *builder)
             is_set[node->operands[0]] = true;
         }
     }
+    // Only what is stored to somewhere is an output.
     for (uint32_t slot = 0; slot < SHADER_OUT_COUNT; slot++) {
         const uint32_t home = builder->output_homes[slot];
-        const bool is_color = is_fragment && slot >= SHADER_OUT_VARYING;
-        if (home != SHADER_NO_VALUE && (is_set[home] || is_color)) {
-            program->writes[slot] = true;
-            (void)shader_emit_with(builder, SHADER_OUTPUT, slot, shader_get_home(builder, home), 0, 0);
+        if (home != SHADER_NO_VALUE && is_set[home]) {
+            write_output(builder, slot, shader_get_home(builder, home));
         }
+    }
+    for (uint32_t t = 0; builder->entry->model == SPIRV_FRAGMENT && t < MAX_TARGETS; t++) {
+        complete_color(builder, SHADER_OUT_VARYING + t * COMPONENTS);
     }
 }

@@ -61,6 +61,9 @@
             d[i].member = value;                                               \
             return;                                                            \
         }                                                                      \
+        if (in->a.is_uniform && in->b.is_uniform) {                            \
+            LOOP(member, value, 0, 0, 0)                                       \
+        }                                                                      \
         if (in->b.is_uniform) {                                                \
             LOOP(member, value, 1, 0, 0)                                       \
         }                                                                      \

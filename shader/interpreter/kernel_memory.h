@@ -22,8 +22,8 @@ static const struct rhw_binding *binding_of(const struct frame *frame, uint32_t 
     return set && element < slot->count ? set + slot->first + element : NULL;
 }
 
-static rhw_int load_words(const struct frame *frame, const struct shader_instruction *in, rhw_int index,
-                          rhw_int mask)
+static rhw_int load_words(const struct frame *frame, const struct shader_instruction *in, int group,
+                          rhw_int index, rhw_int mask)
 {
     if (in->resource == SHADER_NO_RESOURCE) {
         rhw_int value;
@@ -33,7 +33,7 @@ static rhw_int load_words(const struct frame *frame, const struct shader_instruc
         return value;
     }
     rhw_int value = rhw_splat_int(0);
-    const rhw_int element = frame->registers[in->a.vector].i;
+    const rhw_int element = frame->registers[in->a.vector + (in->a.is_uniform ? 0u : (uint32_t)group)].i;
     if (in->a.is_uniform) {
         return rhw_binding_storage_load(binding_of(frame, in->resource, (uint32_t)element[0]), index, mask);
     }
@@ -65,7 +65,7 @@ static void run_LOAD(struct frame *frame, const struct shader_instruction *in)
     }
     const union vector *const active = fixed_register(frame, SHADER_ACTIVE);
     for (int i = 0; i < frame->groups; i++) {
-        d[i].i = load_words(frame, in, word_index(frame, in, i), active[i].i);
+        d[i].i = load_words(frame, in, i, word_index(frame, in, i), active[i].i);
     }
 }
 

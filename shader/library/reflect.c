@@ -72,11 +72,7 @@ struct use {
 // Mark the resource whose BUFFER node is `value`.
 static void mark_written(const struct shader_program *form, struct use *uses, uint32_t value)
 {
-    const struct shader_node *const node = &form->nodes[value];
-    for (uint32_t r = 0;
-         node->op != SHADER_BUFFER && node->op != SHADER_WORKGROUP && r < form->resource_count; r++) {
-        uses[r].is_written = true; // nothing tells which it is
-    }
+    const struct shader_node *const node = shader_resource_node(form, value);
     if (node->op == SHADER_BUFFER) {
         uses[node->immediate].is_written = true;
     }
@@ -90,13 +86,21 @@ static const struct use *find_uses(const struct shader_program *form)
         const uint32_t first = node->operands[0];
         switch ((enum shader_op)node->op) {
         case SHADER_BUFFER: uses[node->immediate].is_used = true; break;
+        case SHADER_STORE8:
+        case SHADER_STORE16:
         case SHADER_STORE: mark_written(form, uses, first); break;
-        case SHADER_ATOMIC: mark_written(form, uses, form->lists[first + 1 + SHADER_ATOMIC_BUFFER]); break;
+        case SHADER_ATOMIC:
+            if (node->immediate != SHADER_ATOMIC_LOAD) {
+                mark_written(form, uses, form->lists[first + 1 + SHADER_ATOMIC_BUFFER]);
+            }
+            break;
         case SHADER_IMAGE_STORE:
             mark_written(form, uses, form->lists[first + 1 + SHADER_IMAGE_TEXTURE]);
             break;
         case SHADER_IMAGE_ATOMIC:
-            mark_written(form, uses, form->lists[first + 1 + SHADER_IMAGE_ATOMIC_IMAGE]);
+            if (node->immediate != SHADER_ATOMIC_LOAD) {
+                mark_written(form, uses, form->lists[first + 1 + SHADER_IMAGE_ATOMIC_IMAGE]);
+            }
             break;
         default: break;
         }
@@ -180,9 +184,11 @@ static uint32_t add_variables(struct variable_list *list, const struct shader_ty
             if (member->built_in >= 0) {
                 continue;
             }
-            location = member->location >= 0 ? (uint32_t)member->location : location;
+            // Members of blocks alone have places of their own.
+            const bool counts = type->is_block;
+            location = counts && member->location >= 0 ? (uint32_t)member->location : location;
             location = add_variables(list, member->type, location,
-                                     member->component < 0 ? 0 : (uint32_t)member->component, name);
+                                     counts && member->component > 0 ? (uint32_t)member->component : 0, name);
         }
         return location;
     }

@@ -339,6 +339,10 @@ static void fill_row(const void *user, int y, void *row)
 bool cli_shader_write_picture(rhw_context *context, rhw_texture texture, int width, int height, int channels,
                               const char *path)
 {
+    if (rhw_texture_format(context, texture) != RHW_FORMAT_RGBA8_UNORM) {
+        cli_error(path, "only an image of 8 bits a channel is written");
+        return false;
+    }
     uint8_t *const texels = malloc(4 * (size_t)width * (size_t)height);
     if (!texels || rhw_texture_read(context, texture, 0, texels, 0) != RHW_OK) {
         cli_error(path, "out of memory");

@@ -6,6 +6,9 @@
 
 #include "harness.h"
 #include "double_comp.h"
+#include "many_comp.h"
+#include "narrow_only_comp.h"
+#include "part_frag.h"
 #include "plain_frag.h"
 #include "plain_vert.h"
 
@@ -75,7 +78,67 @@ static void test_stages_are_linked_and_draw(void **state)
     rhw_shader_program_destroy(program);
 }
 
+// Components that no text sets: those it names are 0, others are 0 but for alpha, which is 1.
+static void test_colors_are_complete(void **state)
+{
+    (void)state;
+    static const uint32_t whole[4] = {7, 8, 0, 1};
+    rhw_shader *const vertex = CREATE(plain_vert, RHW_SHADER_VERTEX);
+    rhw_shader *const fragment = CREATE(part_frag, RHW_SHADER_FRAGMENT);
+    rhw_shader_program *const program =
+        link_shaders(&(struct rhw_shader_program_def){.vertex = vertex, .fragment = fragment});
+    rhw_shader_destroy(vertex);
+    rhw_shader_destroy(fragment);
+    const float scale = 1;
+    const struct rhw_shader_frame frame = {.push_constants = &scale, .push_size = sizeof scale};
+    struct rig rig;
+    rig_open(&rig, 8, 8);
+    rig_set_target(&rig, 1, RHW_FORMAT_RGBA32_UINT);
+    rig_set_target(&rig, 2, RHW_FORMAT_RGBA32_FLOAT);
+    rig.pipeline.program = *rhw_shader_program_get(program);
+    rig_begin(&rig);
+    rig_use_pipeline(&rig);
+    rig_use_vertices(&rig, 0, triangle, sizeof triangle);
+    rhw_pass_set_uniforms(rig.context, rig.recording, &frame, sizeof frame);
+    rhw_pass_draw(rig.context, rig.recording, 0, 3, 0, 1);
+    rig_end(&rig);
+    assert_memory_equal(rig_read_float4(&rig)[9], ((const float[4]){1, 0, 0, 1}), 16);
+    assert_memory_equal((const uint32_t *)rig_read(&rig, rig.pass.colors[1].texture) + 36, whole,
+                        sizeof whole);
+    assert_memory_equal((const float *)rig_read(&rig, rig.pass.colors[2].texture) + 36, ((const float[4]){0}),
+                        16);
+    rig_close(&rig);
+    rhw_shader_program_destroy(program);
+}
+
 // Compute --------------------------------------------------------------------------------------------
+
+// Each lane of every group reads the buffer that it names itself.
+static void test_lanes_name_their_buffers(void **state)
+{
+    (void)state;
+    enum { MANY = 64 };
+    uint32_t numbers[MANY], sink[MANY] = {0};
+    struct rhw_binding set[MANY + 1];
+    rhw_shader *const shader = CREATE(many_comp, RHW_SHADER_COMPUTE);
+    rhw_shader_program *const program = link_shaders(&(struct rhw_shader_program_def){.compute = shader});
+    for (uint32_t i = 0; i < MANY; i++) {
+        numbers[i] = 1000 + i * i;
+        assert_true(rhw_binding_of_memory(&numbers[i], sizeof numbers[i], true, &set[i]));
+    }
+    assert_true(rhw_binding_of_memory(sink, sizeof sink, false, &set[MANY]));
+    const struct rhw_shader_frame frame = {.sets = {set}};
+    struct rig rig;
+    rig_open(&rig, 4, 4);
+    const struct rhw_dispatch_def dispatch = {.program = *rhw_shader_program_get_compute(program),
+                                              .uniforms = &frame,
+                                              .uniform_bytes = sizeof frame};
+    assert_int_equal(rhw_dispatch(rig.context, &dispatch, 1, 1, 1), RHW_OK);
+    assert_memory_equal(sink, numbers, sizeof sink);
+    rig_close(&rig);
+    rhw_shader_program_destroy(program);
+    rhw_shader_destroy(shader);
+}
 
 static void test_compute_is_specialized_and_runs(void **state)
 {
@@ -134,6 +197,17 @@ static void test_reflection_names_resources_and_variables(void **state)
     rhw_shader_destroy(vertex);
 }
 
+static void test_reflection_tells_what_is_written(void **state)
+{
+    (void)state;
+    rhw_shader *const shader = CREATE(narrow_only_comp, RHW_SHADER_COMPUTE);
+    const struct rhw_shader_info *const info = rhw_shader_get_info(shader);
+    assert_int_equal(info->resource_count, 2);
+    assert_false(info->resources[0].is_read_only);
+    assert_true(info->resources[1].is_read_only);
+    rhw_shader_destroy(shader);
+}
+
 // Refusals -------------------------------------------------------------------------------------------
 
 static void expect_refused(const uint32_t *words, size_t size, const char *entry_point, const char *part)
@@ -170,6 +244,9 @@ static void test_words_may_be_swapped(void **state)
 
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_stages_are_linked_and_draw),
+    cmocka_unit_test(test_colors_are_complete),
+    cmocka_unit_test(test_lanes_name_their_buffers),
+    cmocka_unit_test(test_reflection_tells_what_is_written),
     cmocka_unit_test(test_compute_is_specialized_and_runs),
     cmocka_unit_test(test_reflection_names_resources_and_variables),
     cmocka_unit_test(test_what_is_wrong_is_named),
