@@ -121,7 +121,7 @@ static const char *literal(struct shader_emitter *emitter, uint32_t bits, bool a
     char digits[32];
     snprintf(digits, sizeof digits, "%.9g", (double)number);
     for (char *c = digits; *c != '\0'; c++) {
-        *c = *c == ',' ? '.' : *c; // of the program's locale
+        *c = *c == ',' ? '.' : *c; // a locale may want a comma
     }
     return shader_format(emitter->memory, "%s%s", digits, strpbrk(digits, ".e") ? "f" : ".0f");
 }

@@ -265,7 +265,7 @@ static void write_output(struct shader_builder *builder, uint32_t slot, uint32_t
     (void)shader_emit_with(builder, SHADER_OUTPUT, slot, value, 0, 0);
 }
 
-// Vulkan leaves it open what a colour has that no code sets. Here the components that are named are 0, and of the others
+// Vulkan leaves it open what a colour has that no code sets. Here the components that are named are 0. Of the others,
 // red to blue are 0 and alpha is 1.
 static void complete_color(struct shader_builder *builder, uint32_t first)
 {
