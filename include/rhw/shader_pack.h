@@ -141,8 +141,9 @@ static inline rhw_int rhw_half_bits_from_float(rhw_float a)
     const rhw_float magnitude = rhw_abs(a);
     const rhw_int bits = (rhw_int)magnitude;
     // A sum with 0.5 keeps just the bits that a denormal half has, and rounds to them.
-    const rhw_int small = (rhw_int)(magnitude + 0.5f) - 0x3f000000;
-    const rhw_int normal = (bits - 0x38000000 + 0xfff + (bits >> 13 & 1)) >> 13;
+    const rhw_int small = (rhw_int)((rhw_uint)(rhw_int)(magnitude + 0.5f) - 0x3f000000u);
+    const rhw_int normal =
+        (rhw_int)((rhw_uint)bits - 0x38000000u + 0xfffu + (rhw_uint)(bits >> 13 & 1)) >> 13;
     rhw_int half = rhw_select_int(rhw_less(magnitude, rhw_splat(6.10351562e-05f)), small, normal);
     half = rhw_select_int(rhw_less(magnitude, rhw_splat(65520.0f)), half, rhw_splat_int(0x7c00));
     return rhw_select_int(rhw_equal(a, a), half | sign, rhw_splat_int(0x7e00));

@@ -13,9 +13,10 @@ static PyObject *compile(PyObject *module, PyObject *arguments)
 {
     (void)module;
     int stage, includes;
-    const char *text, *name;
+    const char *text;
+    PyObject *name; // bytes, which end with a 0, as other buffers need not
     Py_ssize_t size;
-    if (!PyArg_ParseTuple(arguments, "iy#yp:compile", &stage, &text, &size, &name, &includes) ||
+    if (!PyArg_ParseTuple(arguments, "iy#Sp:compile", &stage, &text, &size, &name, &includes) ||
         !python_is_choice(stage, 0, RHW_SHADER_STAGE_COUNT - 1, "stage")) {
         return NULL;
     }
@@ -24,8 +25,9 @@ static PyObject *compile(PyObject *module, PyObject *arguments)
     const struct glsl_options options = {.include = includes ? glsl_include_file : NULL, .user = &folders};
     struct glsl_code code = {.words = NULL};
     bool is_good;
-    Py_BEGIN_ALLOW_THREADS is_good = glsl_compile((enum rhw_shader_stage)stage, text, (size_t)size, name,
-                                                  &options, &code, message, sizeof message);
+    Py_BEGIN_ALLOW_THREADS is_good =
+        glsl_compile((enum rhw_shader_stage)stage, text, (size_t)size, PyBytes_AS_STRING(name), &options,
+                     &code, message, sizeof message);
     Py_END_ALLOW_THREADS PyObject *const words =
         is_good ? PyBytes_FromStringAndSize((const char *)code.words, (Py_ssize_t)code.size) : NULL;
     const char *const log = code.log ? code.log : "";

@@ -25,6 +25,25 @@ static uint32_t truth(bool value)
     return value ? UINT32_MAX : 0;
 }
 
+// These are functions of the maths library where the compiler has no instruction for them, and none is linked.
+static float trunc_of(float a)
+{
+    const bool has_fraction = a > -0x1p23f && a < 0x1p23f;
+    return has_fraction ? copysignf((float)(int32_t)a, a) : a;
+}
+
+static float floor_of(float a)
+{
+    const float whole = trunc_of(a);
+    return whole > a ? whole - 1.0f : whole;
+}
+
+static float ceil_of(float a)
+{
+    const float whole = trunc_of(a);
+    return whole < a ? whole + 1.0f : whole;
+}
+
 static bool fold_float(enum shader_op op, float a, float b, uint32_t *result)
 {
     switch (op) {
@@ -35,9 +54,9 @@ static bool fold_float(enum shader_op op, float a, float b, uint32_t *result)
     case SHADER_FMIN: *result = as_bits(a < b ? a : b); break;
     case SHADER_FMAX: *result = as_bits(a > b ? a : b); break;
     case SHADER_FSQRT: *result = as_bits(sqrtf(a)); break;
-    case SHADER_FLOOR: *result = as_bits(floorf(a)); break;
-    case SHADER_CEIL: *result = as_bits(ceilf(a)); break;
-    case SHADER_TRUNC: *result = as_bits(truncf(a)); break;
+    case SHADER_FLOOR: *result = as_bits(floor_of(a)); break;
+    case SHADER_CEIL: *result = as_bits(ceil_of(a)); break;
+    case SHADER_TRUNC: *result = as_bits(trunc_of(a)); break;
     default: return false;
     }
     // Which NaN comes of an operation differs from machine to machine.

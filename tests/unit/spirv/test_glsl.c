@@ -114,6 +114,7 @@ static void test_macros_are_defined(void **state)
         assert_false(
             compile(text, &(struct glsl_options){.macros = &wrong[i], .macro_count = 1}, &code, message));
         assert_non_null(strstr(message, "cannot be defined"));
+        glsl_code_free(&code);
     }
     expect_error(text,
                  &(struct glsl_options){.macros = &(struct glsl_macro){"A", "1\n#error"}, .macro_count = 1},
