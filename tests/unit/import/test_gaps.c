@@ -3,6 +3,7 @@
 #include "model_files.h"
 
 #include <stdio.h>
+#include <string.h>
 
 // An entity that assimp has no code for.
 static void test_entities(void **state)
@@ -193,6 +194,13 @@ static void test_materials(void **state)
     scene_model_free(model);
 }
 
+#define GLTF_TRIANGLE(attributes)                                                                           \
+    "{\"asset\":{\"version\":\"2.0\"},\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0}],\"meshes\":[{"  \
+    "\"primitives\":[{\"attributes\":{\"POSITION\":0" attributes "}}]}],\"accessors\":[{\"bufferView\":0,"  \
+    "\"componentType\":5126,\"count\":3,\"type\":\"VEC3\"}],\"bufferViews\":[{\"buffer\":0,\"byteLength\":" \
+    "36}],\"buffers\":[{\"byteLength\":36,\"uri\":\"data:application/octet-stream;base64,"                  \
+    "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA\"}]}"
+
 // What other readers leave out.
 static void test_texts(void **state)
 {
@@ -224,6 +232,8 @@ static void test_texts(void **state)
          "5\n10\n0\n20\n0\n10\n2\n20\n0\n0\nENDSEC\n"
          "0\nEOF\n",
          "the width of polylines (DXF): drawn as lines"},
+        {"t.gltf", GLTF_TRIANGLE(",\"COLOR_0\":0,\"COLOR_1\":0"),
+         "a second set of vertex colours (COLOR_1): ignored"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         struct scene_model *const model = load_text(cases[i].name, cases[i].text);
@@ -245,6 +255,45 @@ static void test_texts(void **state)
     "</vertex><vertex><coordinates><x>0</x><y>1</y><z>0</z></coordinates></vertex></"                        \
     "vertices><volume><triangle>"                                                                            \
     "<v1>0</v1><v2>1</v2><v3>2</v3></triangle></volume></mesh></object><!-- " marks " --></amf>"
+
+// A model of Quake II: a triangle in one frame or two.
+static void test_frames(void **state)
+{
+    (void)state;
+    enum {
+        SKIN = 64,
+        CORNERS = 3,
+        FRAME = 40 + 4 * CORNERS,
+        HEAD = 68,
+        ST = HEAD + 64,
+        FACES = ST + 4 * CORNERS
+    };
+    enum {
+        FRAMES = FACES + 12,
+        MAX_FRAMES = 2,
+        SLACK = 256
+    }; // assimp refuses files that end where frames do
+    for (int32_t frames = 1; frames <= MAX_FRAMES; frames++) {
+        unsigned char bytes[FRAMES + MAX_FRAMES * FRAME + SLACK] = {0};
+        const int32_t end = FRAMES + frames * FRAME;
+        const int32_t head[] = {0x32504449, 8,      SKIN, SKIN, FRAME, 1,      CORNERS, CORNERS, 1,
+                                0,          frames, HEAD, ST,   FACES, FRAMES, HEAD,    end};
+        static const uint16_t face[] = {0, 1, 2, 0, 1, 2};
+        static const float scale[3] = {1, 1, 1};
+        memcpy(bytes, head, sizeof head);
+        memcpy(bytes + FACES, face, sizeof face);
+        for (int32_t i = 0; i < frames; i++) {
+            unsigned char *const frame = bytes + FRAMES + i * FRAME;
+            memcpy(frame, scale, sizeof scale);
+            frame[40 + 4] = frame[40 + 8 + 1] = 9;
+        }
+        write_bytes("f.md2", bytes, sizeof bytes);
+        struct scene_model *const model = load("f.md2");
+        assert_int_equal(model->meshes[0].vertex_count, 3);
+        assert_true(is_unsupported(model, "frames after the first: not drawn") == (frames > 1));
+        scene_model_free(model);
+    }
+}
 
 // Words of formats that assimp passes over without a word in its log.
 static void test_words(void **state)
@@ -398,6 +447,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_log),
     cmocka_unit_test(test_textures),
     cmocka_unit_test(test_words),
+    cmocka_unit_test(test_frames),
     cmocka_unit_test(test_cameras_and_lights),
 };
 
