@@ -14,6 +14,7 @@
 #include "scene_reflection.h"
 #include "scene_shadow_map.h"
 #include "scene_shadow_volume.h"
+#include "scene_small.h"
 #include "scene_sphere.h"
 
 #include <stdio.h>
@@ -102,6 +103,13 @@ const struct bench_scene_entry bench_scene_entries[] = {
      BENCH_LATENCY_WRITES_NONE},
     {"cliffs_write_between", "the same, a vertex of the buffer written before each", bench_make_latency,
      BENCH_LATENCY_WRITES_BETWEEN},
+    {"cliffs_draws_state", "draws_textures, each with another pipeline and scissor than the one before",
+     bench_make_latency, BENCH_LATENCY_DRAWS_STATE},
+    {"cliffs_passes_16", "2,000 passes into a target of 16x16, a lit ball in each", bench_make_small,
+     BENCH_SMALL_16},
+    {"cliffs_passes_64", "500 passes into a target of 64x64, one tile", bench_make_small, BENCH_SMALL_64},
+    {"cliffs_passes_256", "100 passes into a target of 256x256, sixteen tiles", bench_make_small,
+     BENCH_SMALL_256},
     FORMAT("flat_r8", "fill_flat", FLAT, R8),
     FORMAT("flat_bgra8", "fill_flat", FLAT, BGRA8),
     FORMAT("flat_rgba16", "fill_flat", FLAT, RGBA16),

@@ -166,7 +166,8 @@ struct bench_draw {
     enum bench_depth depth;
     enum bench_blend blend;
     enum bench_stencil stencil;
-    bool cull_back;
+    bool cull_back, has_scissor;
+    int scissor[4]; // x, y, width, height; as far from the lower edge as from the upper one
     uint32_t mesh;
     int texture_count;
     uint32_t textures[BENCH_DRAW_TEXTURES]; // enum scene_slot numbers those of the physically based shader

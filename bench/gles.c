@@ -67,6 +67,7 @@ static bool load(struct gles *gl, PFNEGLGETPROCADDRESSPROC find)
         {"glDrawBuffers", &gl->draw_buffers},
         {"glReadBuffer", &gl->read_buffer},
         {"glReadPixels", &gl->read_pixels},
+        {"glScissor", &gl->scissor},
         {"glViewport", &gl->viewport},
         {"glDepthRangef", &gl->depth_range_f},
         {"glClearColor", &gl->clear_color},

@@ -62,6 +62,7 @@ struct gles {
     PFNGLDRAWBUFFERSPROC draw_buffers;
     PFNGLREADBUFFERPROC read_buffer;
     PFNGLREADPIXELSPROC read_pixels;
+    PFNGLSCISSORPROC scissor;
     PFNGLVIEWPORTPROC viewport;
     PFNGLDEPTHRANGEFPROC depth_range_f;
     PFNGLCLEARCOLORPROC clear_color;

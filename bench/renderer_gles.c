@@ -52,6 +52,10 @@ static void set_state(const struct gles *gl, const struct bench_draw *draw, cons
         set_stencil(gl, draw);
     }
     switch_on(gl, draw->cull_back, GL_CULL_FACE);
+    switch_on(gl, draw->has_scissor, GL_SCISSOR_TEST);
+    if (draw->has_scissor) {
+        gl->scissor(draw->scissor[0], draw->scissor[1], draw->scissor[2], draw->scissor[3]);
+    }
 }
 
 // Frames ---------------------------------------------------------------------------------------------
@@ -98,6 +102,7 @@ static void draw(const struct gles_state *s, uint32_t i)
 // The masks of the last draw hold for clearing too.
 static void clear(const struct gles *gl, const struct bench_pass *pass)
 {
+    gl->disable(GL_SCISSOR_TEST);
     gl->depth_mask(GL_TRUE);
     gl->color_mask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     gl->clear_color(pass->clear[0], pass->clear[1], pass->clear[2], pass->clear[3]);

@@ -127,6 +127,11 @@ static void record_draws(const struct bench_state *s, rhw_context *context, rhw_
         }
         rhw_pass_set_index_buffer(context, pass, s->indices[draw->mesh], RHW_INDEX_UINT32, 0);
         set_uniforms(s, context, pass, draw);
+        if (draw->has_scissor) {
+            const struct rhw_rect scissor = {draw->scissor[0], draw->scissor[1], draw->scissor[2],
+                                             draw->scissor[3]};
+            rhw_pass_set_scissor(context, pass, &scissor);
+        }
         for (int t = 0; t < draw->texture_count; t++) {
             const uint32_t texture = draw->textures[t];
             rhw_pass_set_texture(context, pass, t, s->textures[texture],

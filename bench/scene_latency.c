@@ -72,6 +72,18 @@ static void place_cube(struct bench_draw *draw, int number, double aspect, bool 
     memcpy(draw->uniforms.color, color, sizeof color);
 }
 
+// Give a draw another pipeline and another scissor than its neighbours have. The scissor leaves out as many rows above as
+// below, and the picture is what it is without.
+static void change_state(struct bench_draw *draw, int number, int width, int height)
+{
+    const int margin_x = number % 3, margin_y = number % 5;
+    const int scissor[4] = {margin_x, margin_y, width - 2 * margin_x, height - 2 * margin_y};
+    draw->cull_back = number % 2 == 0;
+    draw->blend = number / 2 % 2 == 0 ? BENCH_BLEND_OFF : BENCH_BLEND_OVER;
+    draw->has_scissor = true;
+    memcpy(draw->scissor, scissor, sizeof scissor);
+}
+
 // Texels without a pattern: what decoding one costs may depend on the one before it.
 static bool make_noise(struct bench_texture *texture, int size_in_texels, uint32_t state)
 {
@@ -90,7 +102,8 @@ static bool make_noise(struct bench_texture *texture, int size_in_texels, uint32
 bool bench_make_latency(const struct bench_scene_entry *entry, struct bench_scene *scene, int width,
                         int height, char *why, size_t why_size)
 {
-    const bool is_textured = entry->variant == BENCH_LATENCY_DRAWS_TEXTURES;
+    const bool changes_state = entry->variant == BENCH_LATENCY_DRAWS_STATE;
+    const bool is_textured = changes_state || entry->variant == BENCH_LATENCY_DRAWS_TEXTURES;
     (void)why, (void)why_size; // nothing is missing
     scene->keeps_triangles = entry->variant == BENCH_LATENCY_DRAWS_REPLAYED;
     scene->replays = scene->keeps_triangles || entry->variant == BENCH_LATENCY_DRAWS_RECORDED;
@@ -117,6 +130,9 @@ bool bench_make_latency(const struct bench_scene_entry *entry, struct bench_scen
     }
     for (uint32_t i = 0; i < scene->draw_count; i++) {
         place_cube(&scene->draws[i], (int)i, (double)width / (double)height, is_textured);
+        if (changes_state) {
+            change_state(&scene->draws[i], (int)i, width, height);
+        }
     }
     return true;
 }
