@@ -166,8 +166,9 @@ struct bench_draw {
     enum bench_depth depth;
     enum bench_blend blend;
     enum bench_stencil stencil;
-    bool cull_back, has_scissor;
-    int scissor[4]; // x, y, width, height; as far from the lower edge as from the upper one
+    bool cull_back;
+    bool has_scissor; // of all draws of a pass, or of none
+    int scissor[4];   // x, y, width, height; as far from the lower edge as from the upper one
     uint32_t mesh;
     int texture_count;
     uint32_t textures[BENCH_DRAW_TEXTURES]; // enum scene_slot numbers those of the physically based shader

@@ -52,7 +52,9 @@ static void set_state(const struct gles *gl, const struct bench_draw *draw, cons
         set_stencil(gl, draw);
     }
     switch_on(gl, draw->cull_back, GL_CULL_FACE);
-    switch_on(gl, draw->has_scissor, GL_SCISSOR_TEST);
+    if (!before || draw->has_scissor != before->has_scissor) {
+        switch_on(gl, draw->has_scissor, GL_SCISSOR_TEST);
+    }
     if (draw->has_scissor) {
         gl->scissor(draw->scissor[0], draw->scissor[1], draw->scissor[2], draw->scissor[3]);
     }

@@ -72,11 +72,12 @@ static void place_cube(struct bench_draw *draw, int number, double aspect, bool 
     memcpy(draw->uniforms.color, color, sizeof color);
 }
 
-// Give a draw another pipeline and another scissor than its neighbours have. The scissor leaves out as many rows above as
-// below, and the picture is what it is without.
+// Give a draw another pipeline and another scissor than its neighbours have. Scissors cut cubes off at the edges of the
+// picture, so that one which is not set shows. They leave out as many rows above as below, as renderers count them from
+// either.
 static void change_state(struct bench_draw *draw, int number, int width, int height)
 {
-    const int margin_x = number % 3, margin_y = number % 5;
+    const int margin_x = number % 3 * width / 16, margin_y = number % 5 * height / 32;
     const int scissor[4] = {margin_x, margin_y, width - 2 * margin_x, height - 2 * margin_y};
     draw->cull_back = number % 2 == 0;
     draw->blend = number / 2 % 2 == 0 ? BENCH_BLEND_OFF : BENCH_BLEND_OVER;
