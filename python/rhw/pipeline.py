@@ -186,12 +186,15 @@ class Pass:
       'depth_test': the depth, 1. What is not named is cleared too; load: True keeps what is there.
     samples: of a pixel, 1, 2, 4, 8 or 16; targets get their mean, and of integers the first.
     size: of the picture where there is no target, (width, height).
+    keep: run() draws it all again after the end, without recording it: what buffers, textures and arrays that a shader
+      reads in place have by then. Matrices, colours and other numbers stay what they were, as do arrays that a draw made
+      buffers of.
     stats: after the end, how many triangles came in, how many were rasterized, how many fragments shaded.
     """
 
     def __init__(self, targets: Optional[Targets] = None, *, depth: Union[bool, Texture] = False,
                  clear: Optional[Mapping[str, _Clear]] = None, load: bool = False, samples: int = 1,
-                 size: Optional[Size] = None, context: Optional[_rhw.Context] = None):
+                 size: Optional[Size] = None, keep: bool = False, context: Optional[_rhw.Context] = None):
         targets, clear = _dictionary(targets, "targets"), _dictionary(clear, "clear")
         if not isinstance(depth, Texture):
             depth = _arrays.flag(depth, "depth")
@@ -217,7 +220,7 @@ class Pass:
             raise ValueError(f"clear: depth_test must lie between 0 and 1, not {far}")
         held = depth._resource if isinstance(depth, Texture) else None
         self._def = (self._context, self._size, samples, colors, depth is not False, held, load and held is not None,
-                     far)
+                     far, _arrays.flag(keep, "keep"))
         self._pass: Any = None
 
     def __enter__(self) -> "Pass":
@@ -230,6 +233,12 @@ class Pass:
             self.stats = self._recorded().end()
         else:
             self._recorded().cancel()
+
+    def run(self) -> None:
+        """Draws all of it again, after the end of a pass with `keep`; see there."""
+        if self._pass is None:
+            raise ValueError("the pass cannot be run again: it was never drawn")
+        self.stats = self._pass.run()
 
     def viewport(self, x: float, y: float, width: float, height: float) -> None:
         """Where -1..1 goes from now on: pixels from the top left. With a negative height from the lower left, turned over."""

@@ -37,7 +37,13 @@ static void destroy_item(rhw_context *context, struct python_item *item)
     case PYTHON_ITEM_SAMPLER: rhw_sampler_destroy(context, item->id.sampler); break;
     case PYTHON_ITEM_PIPELINE: rhw_pipeline_destroy(context, item->id.pipeline); break;
     case PYTHON_ITEM_SCENE: scene_destroy(item->id.scene); break;
-    case PYTHON_ITEM_PASS: rhw_pass_cancel(context, item->id.pass); break;
+    case PYTHON_ITEM_PASS:
+        rhw_pass_cancel(item->recorder ? item->recorder : context, item->id.pass);
+        if (item->recorder) {
+            rhw_context_destroy(item->recorder);
+        }
+        break;
+    case PYTHON_ITEM_RECORDING: rhw_recording_destroy(item->id.recording); break;
     }
     Py_XDECREF(item->kept);
     Py_XDECREF(item->panorama);

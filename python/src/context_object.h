@@ -11,7 +11,8 @@ enum python_item_kind {
     PYTHON_ITEM_SAMPLER,
     PYTHON_ITEM_PIPELINE,
     PYTHON_ITEM_SCENE,
-    PYTHON_ITEM_PASS ///< that is recorded; destroyed: cancelled
+    PYTHON_ITEM_PASS, ///< that is recorded; destroyed: cancelled
+    PYTHON_ITEM_RECORDING
 };
 
 /// Something in a context that a Python object owns.
@@ -25,10 +26,12 @@ struct python_item {
         rhw_pipeline pipeline;
         struct scene *scene;
         rhw_pass pass;
+        rhw_recording *recording;
     } id;
-    PyObject *kept;     ///< lives until the item is destroyed; may be NULL
-    PyObject *panorama; ///< whose light a scene has: the same; may be NULL
-    void *block;        ///< of malloc: the same
+    rhw_context *recorder; ///< of a pass that is to be run again, destroyed with it; may be NULL
+    PyObject *kept;        ///< lives until the item is destroyed; may be NULL
+    PyObject *panorama;    ///< whose light a scene has: the same; may be NULL
+    void *block;           ///< of malloc: the same
 };
 
 /// Whether it is a context; else with an exception.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A pass: recorded by Python, run without the interpreter's lock. It holds what it draws with until it has ended.
+// A pass: recorded by Python, run without the interpreter's lock. It holds what it draws with until it has ended, or as
+// long as it lives where it can be run again.
 #include "binding_reading.h"
 #include "builtin_shaders.h"
 #include "memory_object.h"
@@ -12,6 +13,7 @@ struct pass {
     PyObject ob_base;
     PyObject *context;
     struct python_item *item; // whose `kept` is a list of what the pass draws with; NULL: it has ended
+                              // and cannot be run again
 };
 
 static PyTypeObject *pass_type;
@@ -26,25 +28,37 @@ static void pass_free(PyObject *self)
     python_free(self);
 }
 
+static bool has_item(const struct pass *pass, enum python_item_kind kind)
+{
+    return pass->item && pass->item->kind == kind;
+}
+
 static bool is_recorded(const struct pass *pass)
 {
-    if (!pass->item) {
+    const bool good = has_item(pass, PYTHON_ITEM_PASS);
+    if (!good) {
         PyErr_SetString(PyExc_ValueError, "the pass has ended");
     }
-    return pass->item != NULL;
+    return good;
 }
 
 // The pass's context, to be left again. Threads wait for their turn, and one of them may have ended the pass meanwhile.
 static rhw_context *enter(const struct pass *pass)
 {
     rhw_context *context = is_recorded(pass) ? python_context_enter(pass->context) : NULL;
-    if (context && !pass->item) {
+    if (context && !has_item(pass, PYTHON_ITEM_PASS)) {
         if (python_context_leave(pass->context, RHW_OK)) {
             is_recorded(pass); // says that it has ended
         }
         return NULL;
     }
     return context;
+}
+
+// What records the pass, of a context that was entered.
+static rhw_context *recorder_of(const struct pass *pass, rhw_context *context)
+{
+    return pass->item->recorder ? pass->item->recorder : context;
 }
 
 // The item of a resource, which the pass keeps from now on.
@@ -85,13 +99,15 @@ static bool read_color(PyObject *tuple, PyObject *context, PyObject *kept, struc
     return true;
 }
 
-static bool read_def(PyObject *arguments, PyObject **context, PyObject *kept, struct rhw_pass_def *def)
+static bool read_def(PyObject *arguments, PyObject **context, PyObject *kept, struct rhw_pass_def *def,
+                     int *is_kept)
 {
     PyObject *colors, *depth;
     int has_depth, loads_depth;
     *def = (struct rhw_pass_def){0};
-    if (!PyArg_ParseTuple(arguments, "O(ii)iO!pOpf:Pass", context, &def->width, &def->height, &def->samples,
-                          &PyTuple_Type, &colors, &has_depth, &depth, &loads_depth, &def->depth.clear) ||
+    if (!PyArg_ParseTuple(arguments, "O(ii)iO!pOpfp:Pass", context, &def->width, &def->height, &def->samples,
+                          &PyTuple_Type, &colors, &has_depth, &depth, &loads_depth, &def->depth.clear,
+                          is_kept) ||
         !python_context_check(*context)) {
         return false;
     }
@@ -116,7 +132,22 @@ static bool read_def(PyObject *arguments, PyObject **context, PyObject *kept, st
     return true;
 }
 
-static bool begin(struct pass *pass, PyObject *context, const struct rhw_pass_def *def, PyObject *kept)
+static enum rhw_result begin_item(rhw_context *context, const struct rhw_pass_def *def, bool is_kept,
+                                  struct python_item *item)
+{
+    item->kind = PYTHON_ITEM_PASS;
+    enum rhw_result result = is_kept ? rhw_recorder_create(context, &item->recorder) : RHW_OK;
+    if (result == RHW_OK) {
+        result = rhw_pass_begin(is_kept ? item->recorder : context, def, &item->id.pass);
+    }
+    if (result != RHW_OK && item->recorder) {
+        rhw_context_destroy(item->recorder);
+    }
+    return result;
+}
+
+static bool begin(struct pass *pass, PyObject *context, const struct rhw_pass_def *def, bool is_kept,
+                  PyObject *kept)
 {
     struct python_item *item = calloc(1, sizeof *item);
     rhw_context *handle = item ? python_context_enter(context) : NULL;
@@ -124,8 +155,7 @@ static bool begin(struct pass *pass, PyObject *context, const struct rhw_pass_de
         free(item);
         return PyErr_Occurred() ? false : PyErr_NoMemory() != NULL;
     }
-    item->kind = PYTHON_ITEM_PASS;
-    const enum rhw_result result = rhw_pass_begin(handle, def, &item->id.pass);
+    const enum rhw_result result = begin_item(handle, def, is_kept, item);
     if (!python_context_leave(context, result)) {
         free(item);
         return false;
@@ -138,17 +168,19 @@ static bool begin(struct pass *pass, PyObject *context, const struct rhw_pass_de
     return true;
 }
 
-// (context, (width, height), samples, colours, has depth, depth texture or None, depth is loaded, depth's clear value)
+// (context, (width, height), samples, colours, has depth, depth texture or None, depth is loaded, depth's clear value,
+// whether it can be run again)
 static PyObject *pass_make(PyTypeObject *type, PyObject *arguments, PyObject *keywords)
 {
     (void)keywords;
     PyObject *context, *kept = PyList_New(0);
     struct rhw_pass_def def;
+    int is_kept;
     const allocfunc allocate = (allocfunc)(uintptr_t)PyType_GetSlot(type, Py_tp_alloc);
     PyObject *self = NULL;
-    if (kept && read_def(arguments, &context, kept, &def)) {
+    if (kept && read_def(arguments, &context, kept, &def, &is_kept)) {
         self = allocate(type, 0);
-        if (self && !begin((struct pass *)self, context, &def, kept)) {
+        if (self && !begin((struct pass *)self, context, &def, is_kept != 0, kept)) {
             Py_DECREF(self);
             self = NULL;
         }
@@ -286,7 +318,7 @@ static PyObject *pass_draw(PyObject *self, PyObject *arguments)
     if (!context) {
         return NULL;
     }
-    record(context, pass->item->id.pass, &draw);
+    record(recorder_of(pass, context), pass->item->id.pass, &draw);
     return none_if(python_context_leave(pass->context, RHW_OK));
 }
 
@@ -362,12 +394,8 @@ static bool read_program_draw(const struct pass *pass, PyObject *arguments, stru
            PyList_Append(pass->item->kept, draw->bindings.kept) == 0;
 }
 
-static enum rhw_result record_program(rhw_context *context, rhw_pass pass, const struct program_draw *draw)
+static void record_program(rhw_context *context, rhw_pass pass, const struct program_draw *draw)
 {
-    const enum rhw_result result = python_bindings_make(context, &draw->bindings);
-    if (result != RHW_OK) {
-        return result;
-    }
     rhw_pass_set_pipeline(context, pass, draw->pipeline->id.pipeline);
     for (int i = 0; i < draw->buffer_count; i++) {
         rhw_pass_set_vertex_buffer(context, pass, i, draw->buffers[i], 0);
@@ -379,7 +407,6 @@ static enum rhw_result record_program(rhw_context *context, rhw_pass pass, const
     } else {
         rhw_pass_draw(context, pass, 0, draw->count, 0, draw->instances);
     }
-    return RHW_OK;
 }
 
 // (program, pipeline, vertex buffers, index buffer or None, count, instances, bindings, push constants)
@@ -390,7 +417,10 @@ static PyObject *pass_draw_program(PyObject *self, PyObject *arguments)
     rhw_context *context = read_program_draw(pass, arguments, &draw) ? enter(pass) : NULL;
     bool is_good = context != NULL;
     if (context) {
-        const enum rhw_result result = record_program(context, pass->item->id.pass, &draw);
+        const enum rhw_result result = python_bindings_make(context, &draw.bindings);
+        if (result == RHW_OK) {
+            record_program(recorder_of(pass, context), pass->item->id.pass, &draw);
+        }
         is_good = python_context_leave(pass->context, result);
     }
     python_bindings_free(&draw.bindings);
@@ -411,7 +441,7 @@ static PyObject *pass_viewport(PyObject *self, PyObject *arguments)
     if (!context) {
         return NULL;
     }
-    rhw_pass_set_viewport(context, pass->item->id.pass, &viewport);
+    rhw_pass_set_viewport(recorder_of(pass, context), pass->item->id.pass, &viewport);
     return none_if(python_context_leave(pass->context, RHW_OK));
 }
 
@@ -430,6 +460,44 @@ static PyObject *pass_cancel(PyObject *self, PyObject *nothing)
     return none_if(true);
 }
 
+// Draw what a pass or a recording has, without the interpreter's lock.
+static enum rhw_result run_item(rhw_context *context, const struct python_item *item, struct rhw_stats *stats)
+{
+    struct python_work work = python_work_begin();
+    rhw_context_set_goes_on(context, python_work_goes_on, &work);
+    const enum rhw_result result = item->kind == PYTHON_ITEM_RECORDING
+                                       ? rhw_recording_run(context, item->id.recording, stats)
+                                       : rhw_pass_end(context, item->id.pass, stats);
+    rhw_context_set_goes_on(context, NULL, NULL);
+    PyEval_RestoreThread(work.state);
+    return result;
+}
+
+// End a recorded pass as a recording.
+static enum rhw_result keep_item(struct python_item *item)
+{
+    rhw_recording *recording;
+    const enum rhw_result result = rhw_pass_keep(item->recorder, item->id.pass, NULL, &recording);
+    rhw_context_destroy(item->recorder);
+    item->recorder = NULL;
+    item->kind = PYTHON_ITEM_RECORDING;
+    item->id.recording = recording;
+    return result;
+}
+
+// Misuse while it was recorded: the call that it was raised it, and the rest is drawn. Where a handler has raised an
+// exception, that is told.
+static PyObject *end_run(const struct pass *pass, enum rhw_result result, const struct rhw_stats *stats)
+{
+    const bool is_told = result == RHW_ERROR_MISUSE || result == RHW_ERROR_GIVEN_UP;
+    if (!python_context_leave(pass->context, is_told ? RHW_OK : result)) {
+        return NULL;
+    }
+    return Py_BuildValue("{s:K,s:K,s:K}", "triangles_in", (unsigned long long)stats->triangles_in,
+                         "triangles_rasterized", (unsigned long long)stats->triangles_rasterized,
+                         "fragments_shaded", (unsigned long long)stats->fragments_shaded);
+}
+
 static PyObject *pass_end(PyObject *self, PyObject *nothing)
 {
     (void)nothing;
@@ -439,26 +507,36 @@ static PyObject *pass_end(PyObject *self, PyObject *nothing)
         return NULL;
     }
     struct python_item *item = pass->item;
-    pass->item = NULL;
     struct rhw_stats stats = {0};
-    enum rhw_result result;
-    struct python_work work = python_work_begin();
-    rhw_context_set_goes_on(context, python_work_goes_on, &work);
-    result = rhw_pass_end(context, item->id.pass, &stats);
-    rhw_context_set_goes_on(context, NULL, NULL);
-    PyEval_RestoreThread(work.state);
-    // Misuse while it was recorded: the call that it was raised it, and the rest is drawn. Where a handler has raised
-    // an exception, that is told.
-    const bool is_told = result == RHW_ERROR_MISUSE || result == RHW_ERROR_GIVEN_UP;
-    const bool left = python_context_leave(pass->context, is_told ? RHW_OK : result);
-    Py_DECREF(item->kept);
-    free(item);
-    if (!left) {
+    enum rhw_result result = item->recorder ? keep_item(item) : RHW_OK;
+    if (item->kind == PYTHON_ITEM_PASS) {
+        pass->item = NULL;
+    }
+    if (result == RHW_OK) {
+        result = run_item(context, item, &stats);
+    }
+    if (!pass->item) {
+        Py_DECREF(item->kept);
+        free(item);
+    }
+    return end_run(pass, result, &stats);
+}
+
+static PyObject *pass_run(PyObject *self, PyObject *nothing)
+{
+    (void)nothing;
+    struct pass *pass = (struct pass *)self;
+    if (!has_item(pass, PYTHON_ITEM_RECORDING) || !pass->item->id.recording) {
+        PyErr_SetString(PyExc_ValueError, "the pass cannot be run again: keep it, and end it first");
         return NULL;
     }
-    return Py_BuildValue("{s:K,s:K,s:K}", "triangles_in", (unsigned long long)stats.triangles_in,
-                         "triangles_rasterized", (unsigned long long)stats.triangles_rasterized,
-                         "fragments_shaded", (unsigned long long)stats.fragments_shaded);
+    rhw_context *context = python_context_enter(pass->context);
+    if (!context) {
+        return NULL;
+    }
+    struct rhw_stats stats = {0};
+    const enum rhw_result result = run_item(context, pass->item, &stats);
+    return end_run(pass, result, &stats);
 }
 
 int python_add_passes(PyObject *module)
@@ -467,6 +545,7 @@ int python_add_passes(PyObject *module)
                                     {"draw_program", pass_draw_program, METH_VARARGS, NULL},
                                     {"viewport", pass_viewport, METH_VARARGS, NULL},
                                     {"end", pass_end, METH_NOARGS, NULL},
+                                    {"run", pass_run, METH_NOARGS, NULL},
                                     {"cancel", pass_cancel, METH_NOARGS, NULL},
                                     {0}};
     static PyType_Slot slots[] = {{Py_tp_new, (void *)(uintptr_t)pass_make},

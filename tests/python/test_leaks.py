@@ -128,6 +128,16 @@ def whole_chain():
     dr.antialias_grad(values, rast, pos, F, values, context=context)
 
 
+def kept_pass():
+    targets = {"color": Texture(16)}
+    with Pass(targets, keep=True) as draw:
+        draw(Pipeline(targets, depth=None), V, F)
+    draw.run()
+    with pytest.raises(ZeroDivisionError):
+        with Pass(targets, keep=True):
+            1 / 0
+
+
 def drawn_pass():
     target = {"color": Texture(64), "triangle": Texture(64, "r32_uint")}
     with Pass(target, depth=True) as draw:
@@ -140,6 +150,7 @@ def drawn_pass():
     (60, lambda: rhw.Context(threads=3).threads),
     (40, whole_chain),
     (60, drawn_pass),
+    (60, kept_pass),
     pytest.param(20, shaded_pass, marks=compiles),
     (60, lambda: Texture.of(np.zeros((64, 64, 3), np.uint8))),
 ])

@@ -186,6 +186,36 @@ def test_what_a_pass_uses_lives_as_long_as_it():
     assert (shown == 49).all()
 
 
+def test_a_pass_that_is_kept_is_run_again():
+    positions, targets = Buffer(CORNERS), {"color": Texture(SIZE, "r8_unorm"), "object": Texture(SIZE, "r32_uint")}
+    with Pass(targets, keep=True) as draw:
+        draw(Pipeline(targets, depth=None), positions, FACES.copy(), object=7)
+        with pytest.raises(ValueError, match="keep it, and end it first"):
+            draw.run()
+    first, shown = draw.stats, {name: texture.array.copy() for name, texture in targets.items()}
+    assert (shown["object"] == 7).all() and first["triangles_in"] == 2
+    gc.collect()
+    for texture in targets.values():
+        texture.array[...] = 3
+    draw.run()
+    assert draw.stats == first and all(np.array_equal(shown[name], targets[name].array) for name in targets)
+    positions.array[:, :2] *= 0.5
+    with Pass(targets):  # the context has passes of its own meanwhile
+        with pytest.raises(ValueError, match="pass"):
+            draw.run()
+    draw.run()
+    assert (targets["object"].array == 7).sum() == targets["object"].array.size / 4
+    with pytest.raises(ValueError, match="the pass has ended"):
+        draw.viewport(0, 0, 8, 8)
+    for once in (Pass(targets), Pass(targets, keep=True)):
+        with pytest.raises(ValueError, match="cannot be run again"):
+            once.run()
+    with Pass(targets) as once:
+        pass
+    with pytest.raises(ValueError, match="cannot be run again"):
+        once.run()
+
+
 def test_an_exception_draws_nothing():
     target = {"color": Texture(SIZE, "r8_unorm")}
     with pytest.raises(ZeroDivisionError):

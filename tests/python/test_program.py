@@ -175,11 +175,14 @@ layout(push_constant) uniform Push { float part; };
 layout(location = 0) out vec4 color;
 void main() { seen[int(gl_FragCoord.x)] = 5u; color = texture(image, vec2(0.5)) * part; }"""
     target, seen = {"color": Texture(SIZE, "rgba32_float")}, np.zeros(16, np.uint32)
-    with Pass(target) as draw:
+    with Pass(target, keep=True) as draw:
         for part in range(20):
             draw(Pipeline(target, program=Program(vertex=COVER, fragment=text), depth=None), {"position": CORNERS.copy()}, None,
                  {"seen": seen, "image": np.full((3, 3), 2, np.float32), "part": part})
         gc.collect()
+    assert (target["color"].array[..., 0] == 38).all() and (seen == 5).all()
+    target["color"].array[...] = seen[...] = 0
+    draw.run()
     assert (target["color"].array[..., 0] == 38).all() and (seen == 5).all()
     with pytest.raises(ZeroDivisionError):
         with Pass(target) as draw:
