@@ -81,7 +81,7 @@ static int channel_of(struct scene_word word)
 struct map {
     const char *key;
     struct scene_phong_texture *texture;
-    const char *channels; // those that can be asked for by -imfchan; NULL for a texture that is not drawn
+    const char *channels; // letters that -imfchan may ask for; NULL for a texture that is not drawn
     bool is_color;
 };
 
@@ -151,7 +151,7 @@ static void read_texture(struct scene_import *import, const char *folder, struct
 static bool read_map(struct scene_import *import, const char *folder, struct scene_word key,
                      struct scene_line line, struct scene_phong *phong)
 {
-    static const char any[] = "rgbl"; // of a grey picture, all are the same
+    static const char any[] = "rgbl"; // a grey picture is the same in all of them
     const struct map maps[] = {
         {"map_Kd", &phong->color, "", true},
         {"map_d", &phong->opacity_map, "lm", false},
@@ -275,8 +275,8 @@ static void note_unused_value(struct scene_import *import, struct scene_word key
     }
 }
 
-// Tell of a key that means nothing here. Ambient light, illumination models, refraction without rays and the sharpness of
-// reflections are not told of: whoever writes a material writes them.
+// Tell of a key that means nothing here. Ambient light, illumination models, refraction without rays and the sharpness
+// of reflections are not told of: whoever writes a material writes them.
 static void note_unknown_key(struct scene_import *import, struct scene_unknown_words *unknown,
                              struct scene_word key)
 {

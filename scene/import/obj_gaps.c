@@ -52,8 +52,8 @@ static bool tell_of_switch(struct obj *obj, struct scene_word key, struct scene_
 
 void scene_obj_tell_of_statement(struct obj *obj, struct scene_word key, struct scene_line line)
 {
-    static const char *const parts[] = {"vp",   "deg",  "bmat", "step", "parm",  "trim",  "hole", "scrv",
-                                        "sp",   "end",  "con",  "mg",   "ctech", "stech", "res",  "maplib"};
+    static const char *const parts[] = {"vp", "deg", "bmat", "step", "parm",  "trim",  "hole", "scrv",
+                                        "sp", "end", "con",  "mg",   "ctech", "stech", "res",  "maplib"};
     for (size_t i = 0; i < sizeof parts / sizeof parts[0]; i++) {
         if (scene_word_is(key, parts[i])) {
             return;

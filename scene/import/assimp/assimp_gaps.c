@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What assimp leaves out. Part of it assimp says in its log, which is read here. Of the rest it says nothing, such as of
-// frames after the first of models that move by frames. Marks in the file tell of these.
+// What assimp leaves out. Part of it assimp says in its log, which is read here. Of the rest it says nothing, such as
+// of frames after the first of models that move by frames. Marks in the file tell of these.
 #include <assimp/cimport.h>
 #include <ctype.h>
 #include <stdlib.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What assimp leaves out of 3DS, LightWave and Blitz3D without a word. These are made of chunks, each of which says what
-// it is and how long, so that marks are found without reading what lies between.
+// What assimp leaves out of 3DS, LightWave and Blitz3D without a word. These are made of chunks, each of which says
+// what it is and how long, so that marks are found without reading what lies between.
 #include "assimp.h"
 
 #include <string.h>
@@ -94,9 +94,9 @@ static void look_at_3ds_material(struct scene_import *import, struct bytes mater
     uint32_t kind;
     for (struct bytes content; next_3ds(&material, &kind, &content);) {
         switch (kind) {
-        case 0xa200: // the colour
-        case 0xa210: // how opaque it is
-        case 0xa230: // its relief
+        case 0xa200:                                              // the colour
+        case 0xa210:                                              // how opaque it is
+        case 0xa230:                                              // its relief
         case 0xa33d: look_at_3ds_texture(import, content); break; // its glow
         case 0xa33a: tell(import, "textures above each other: the first alone is used"); break;
         case 0xa33e:
@@ -138,7 +138,7 @@ static void look_at_3ds_editor(struct scene_import *import, struct bytes editor)
         switch (kind) {
         case 0x4000: look_at_3ds_object(import, content); break;
         case 0xafff: look_at_3ds_material(import, content); break;
-        case 0x1101: // of these three the first is a picture, the second a colour and the third a gradient
+        case 0x1101: // a background is a picture, a colour or a gradient
         case 0x1201:
         case 0x1301: tell(import, "the background: not drawn"); break;
         case 0x2201: // fog, and beneath it cues of distance and layers of fog
@@ -173,8 +173,8 @@ static uint32_t name_of(const char *letters)
     return read_big(&bytes, 0, 4);
 }
 
-// Take the next chunk, which is four letters and its length in 4 bytes, or in 2 within other chunks. A byte follows an odd
-// length. Return false at the end.
+// Take the next chunk, which is four letters and its length in 4 bytes, or in 2 within other chunks. A byte follows an
+// odd length. Return false at the end.
 static bool next_lwo(struct bytes *bytes, size_t width, uint32_t *id, struct bytes *content)
 {
     const size_t head = 4 + width, length = read_big(bytes, 4, width);
@@ -194,10 +194,10 @@ static void look_at_lwo_image(struct scene_import *import, struct bytes image)
     uint32_t id;
     for (struct bytes content; next_lwo(&image, 2, &id, &content);) {
         const uint32_t value = read_big(&content, 0, 4);
-        const bool is_shifted = (id == name_of("BRIT") || id == name_of("CONT") ||
-                                 id == name_of("SATR") || id == name_of("HUE "))
-                                    ? value != 0
-                                    : id == name_of("GAMM") && value != 0 && value != one;
+        const bool is_shifted =
+            (id == name_of("BRIT") || id == name_of("CONT") || id == name_of("SATR") || id == name_of("HUE "))
+                ? value != 0
+                : id == name_of("GAMM") && value != 0 && value != one;
         if (id == name_of("NEGA") && read_big(&content, 0, 2) != 0) {
             tell(import, inverted);
         }
@@ -261,8 +261,7 @@ static void look_at_lwo(struct scene_import *import, struct bytes file)
             look_at_lwo_image(import, skip(content, 4));
         } else if (id == name_of("SURF")) {
             look_at_lwo_surface(import, content, is_old);
-        } else if (id == of_polygons && !is_old &&
-                   (kind == name_of("PTCH") || kind == name_of("SUBD"))) {
+        } else if (id == of_polygons && !is_old && (kind == name_of("PTCH") || kind == name_of("SUBD"))) {
             tell(import, "subdivision surfaces: drawn as their cages");
         }
     }
@@ -278,8 +277,8 @@ static void look_at_b3d_textures(struct scene_import *import, struct bytes textu
         textures = skip_text(textures, false);
         const uint32_t flags = read_little(&textures, 0, 4), blend = read_little(&textures, 4, 4);
         const bool is_placed = read_little(&textures, 8, 4) == 0 && read_little(&textures, 12, 4) == 0 &&
-                               read_little(&textures, 16, 4) == one &&
-                               read_little(&textures, 20, 4) == one && read_little(&textures, 24, 4) == 0;
+                               read_little(&textures, 16, 4) == one && read_little(&textures, 20, 4) == one &&
+                               read_little(&textures, 24, 4) == 0;
         if (left(&textures) < NUMBERS) {
             return;
         }

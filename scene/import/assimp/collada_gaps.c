@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What assimp leaves out of Collada without a word. It reads the blend mode of a texture and loses it, takes the colour of
-// transparency for a number, and knows neither hidden nodes nor effects that are programs.
+// What assimp leaves out of Collada without a word. It reads the blend mode of a texture and loses it, takes the colour
+// of transparency for a number, and knows neither hidden nodes nor effects that are programs.
 #include "assimp.h"
 #include "collada_far.h"
 #include "collada_markup.h"

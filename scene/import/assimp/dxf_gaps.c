@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// What is left out of a DXF, and what is drawn that its author has hidden. A DXF is pairs of lines, a code and a value; an
-// entity is a pair of code 0 in the sections of entities and of blocks, with the pairs that follow.
+// What is left out of a DXF, and what is drawn that its author has hidden. A DXF is pairs of lines, a code and a value;
+// an entity is a pair of code 0 in the sections of entities and of blocks, with the pairs that follow.
 #include "assimp.h"
 #include "import/builder/text_lines.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-enum { LAYERS = 256 }; // so many that are off are remembered
+enum { LAYERS = 256 }; // the names of layers that are off are kept, so many at most
 
 enum section { OTHER, TABLES, BLOCKS, ENTITIES };
 
@@ -25,7 +25,7 @@ struct look {
 static void tell_of_entity(const struct look *look, struct scene_word name)
 {
     static const char *const others[] = {
-        "3DFACE", "SOLID",  "TRACE",  "LINE",     "POLYLINE", "VERTEX", "SEQEND", "LWPOLYLINE", "CIRCLE",
+        "3DFACE", "SOLID",  "TRACE",   "LINE",  "POLYLINE", "VERTEX", "SEQEND", "LWPOLYLINE", "CIRCLE",
         "ARC",    "INSERT", "ELLIPSE", "BLOCK", "ENDBLK",   "ENDSEC", "ATTDEF", "VIEWPORT",
     };
     for (size_t i = 0; i < sizeof others / sizeof *others; i++) {
@@ -92,7 +92,8 @@ static void read_pair(struct look *look, int code, struct scene_word value)
     } else if (code == 2) {
         name_record(look, value);
     } else if (look->is_layer && is_number &&
-               ((code == 62 && number < 0) || (code == 70 && number >= 0 && number < 65536 && (int)number % 2 == 1))) {
+               ((code == 62 && number < 0) ||
+                (code == 70 && number >= 0 && number < 65536 && (int)number % 2 == 1))) {
         turn_layer_off(look);
     } else if (is_drawn && code == 8 && look->off_count > 0 && is_off(look, value)) {
         scene_import_unsupported(look->import, "layers that are off or frozen (DXF): drawn");

@@ -26,10 +26,9 @@ static bool is_number(struct scene_word word)
 // Neutral File Format, of which assimp knows a few words beyond Haines' own.
 static void look_at_nff(struct scene_import *import, struct scene_text *text)
 {
-    static const char *const known[] = {"v",  "from", "at",  "up",  "angle", "hither", "resolution",
-                                        "l",  "f",    "p",   "pp",  "tpp",   "s",      "c",
-                                        "pn", "pnn",  "pb",  "dod", "oct",   "tet",    "hex",
-                                        "b",  "tess", "shader"};
+    static const char *const known[] = {
+        "v", "from", "at", "up",  "angle", "hither", "resolution", "l",   "f",   "p", "pp",   "tpp",
+        "s", "c",    "pn", "pnn", "pb",    "dod",    "oct",        "tet", "hex", "b", "tess", "shader"};
     struct scene_unknown_words unknown = {.format = "NFF"};
     struct scene_line line;
     struct scene_word word;
@@ -38,7 +37,7 @@ static void look_at_nff(struct scene_import *import, struct scene_text *text)
             continue;
         }
         if (scene_word_is(word, "nff")) {
-            return; // of WorldToolKit, which is another format of this name
+            return; // the NFF of WorldToolKit is another format
         }
         if (scene_word_is(word, "b")) {
             scene_import_unsupported(import, "the background: not drawn");
@@ -51,9 +50,10 @@ static void look_at_nff(struct scene_import *import, struct scene_text *text)
 
 static void look_at_ac3d(struct scene_import *import, struct scene_text *text)
 {
-    static const char *const known[] = {"MATERIAL", "OBJECT", "kids",    "name",    "data", "texture", "texrep",
-                                        "texoff",   "rot",    "loc",     "url",     "mat",  "subdiv",  "crease",
-                                        "hidden",   "locked", "numvert", "numsurf", "SURF", "refs",    "folded"};
+    static const char *const known[] = {"MATERIAL", "OBJECT", "kids",   "name",   "data",    "texture",
+                                        "texrep",   "texoff", "rot",    "loc",    "url",     "mat",
+                                        "subdiv",   "crease", "hidden", "locked", "numvert", "numsurf",
+                                        "SURF",     "refs",   "folded"};
     struct scene_unknown_words unknown = {.format = "AC3D"};
     struct scene_line line;
     struct scene_word word;

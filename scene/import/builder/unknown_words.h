@@ -5,7 +5,7 @@
 
 #include "text_lines.h"
 
-enum { SCENE_UNKNOWN_WORDS = 8 }; ///< so many are named
+enum { SCENE_UNKNOWN_WORDS = 8 }; ///< the words that are named at most
 
 /// The words that were told, which stay where the text has them.
 struct scene_unknown_words {
