@@ -7,6 +7,7 @@
 #include "import/builder/numbers.h"
 #include "import/builder/phong.h"
 #include "import/builder/text_lines.h"
+#include "import/builder/unknown_words.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -76,18 +77,34 @@ static int channel_of(struct scene_word word)
     return key_is(word, "g") ? 1 : key_is(word, "b") ? 2 : key_is(word, "m") ? 3 : 0;
 }
 
-static void note_unused_option(struct scene_import *import, struct scene_word word)
+// A key that names a texture, and where its texture goes.
+struct map {
+    const char *key;
+    struct scene_phong_texture *texture;
+    const char *channels; // letters that -imfchan may ask for; NULL for a texture that is not drawn
+    bool is_color;
+};
+
+// Return true for an option that changes how a texture looks and is not drawn.
+static bool is_unused_option(const struct map *map, struct scene_word option, struct scene_word setting,
+                             const float values[3])
 {
-    if (key_is(word, "-mm") || key_is(word, "-t") || key_is(word, "-type")) {
-        scene_import_unsupported(import, "%s of textures (MTL): not used", scene_word_string(import, word));
+    if (key_is(option, "-imfchan")) {
+        return setting.length != 1 || strchr(map->channels, setting.start[0]) == NULL;
     }
+    return (key_is(option, "-mm") && !(values[0] == 0 && values[1] == 1)) ||
+           (key_is(option, "-t") && !(values[0] == 0 && values[1] == 0)) ||
+           (key_is(option, "-boost") && values[0] != 0) || (key_is(option, "-cc") && key_is(setting, "on")) ||
+           ((key_is(option, "-blendu") || key_is(option, "-blendv")) && key_is(setting, "off")) ||
+           (key_is(option, "-colorspace") && key_is(setting, "sRGB") != map->is_color) ||
+           key_is(option, "-type");
 }
 
 // Read the options in front of a file name. The rest of the line is the name. `folder` is that of the library.
 static void read_texture(struct scene_import *import, const char *folder, struct scene_line line,
-                         struct scene_phong_texture *texture, float *multiplier)
+                         const struct map *map, float *multiplier)
 {
-    float offset[3] = {0, 0, 0}, scale[3] = {1, 1, 1}, ignored[3];
+    float offset[3] = {0, 0, 0}, scale[3] = {1, 1, 1};
     struct scene_word word, setting = {"", 0};
     struct scene_line before = line;
     int channel = 0;
@@ -95,16 +112,20 @@ static void read_texture(struct scene_import *import, const char *folder, struct
     *multiplier = 1;
     while (scene_text_word(&line, &word) && find_option(word) != NULL) {
         const struct option *option = find_option(word);
+        float others[3] = {0, key_is(word, "-mm") ? 1 : 0, 0};
         float *values = key_is(word, "-o")    ? offset
                         : key_is(word, "-s")  ? scale
                         : key_is(word, "-bm") ? multiplier
-                                              : ignored;
+                                              : others;
         if (option->words > 0) {
             scene_text_word(&line, &setting);
         }
         scene_text_numbers(&line, values, option->numbers);
         channel = key_is(word, "-imfchan") ? channel_of(setting) : channel;
-        note_unused_option(import, word);
+        if (map->channels != NULL && is_unused_option(map, word, setting, others)) {
+            scene_import_unsupported(import, "%s of textures (MTL): not used",
+                                     scene_word_string(import, word));
+        }
         clamp = clamp || (key_is(word, "-clamp") && key_is(setting, "on"));
         before = line;
     }
@@ -112,6 +133,7 @@ static void read_texture(struct scene_import *import, const char *folder, struct
     if (name.length == 0) {
         return;
     }
+    struct scene_phong_texture *const texture = map->texture;
     *texture = scene_phong_texture_default();
     texture->name = scene_word_string(import, name);
     texture->channel = channel;
@@ -129,27 +151,25 @@ static void read_texture(struct scene_import *import, const char *folder, struct
 static bool read_map(struct scene_import *import, const char *folder, struct scene_word key,
                      struct scene_line line, struct scene_phong *phong)
 {
-    const struct {
-        const char *key;
-        struct scene_phong_texture *texture;
-    } maps[] = {
-        {"map_Kd", &phong->color},
-        {"map_d", &phong->opacity_map},
-        {"map_opacity", &phong->opacity_map},
-        {"map_bump", &phong->height},
-        {"bump", &phong->height},
-        {"norm", &phong->normal},
-        {"map_Ke", &phong->emissive_map},
-        {"map_emissive", &phong->emissive_map},
-        {"map_Pr", &phong->roughness_map},
-        {"map_Pm", &phong->metallic_map},
-        {"map_Pc", &phong->clearcoat_map},
-        {"map_Pcr", &phong->clearcoat_roughness_map},
+    static const char any[] = "rgbl"; // a grey picture is the same in all of them
+    const struct map maps[] = {
+        {"map_Kd", &phong->color, "", true},
+        {"map_d", &phong->opacity_map, "lm", false},
+        {"map_opacity", &phong->opacity_map, "lm", false},
+        {"map_bump", &phong->height, any, false},
+        {"bump", &phong->height, any, false},
+        {"norm", &phong->normal, "", false},
+        {"map_Ke", &phong->emissive_map, "", true},
+        {"map_emissive", &phong->emissive_map, "", true},
+        {"map_Pr", &phong->roughness_map, "rgblm", false},
+        {"map_Pm", &phong->metallic_map, "rgblm", false},
+        {"map_Pc", &phong->clearcoat_map, "rl", false},
+        {"map_Pcr", &phong->clearcoat_roughness_map, "gl", false},
     };
     for (size_t i = 0; i < sizeof maps / sizeof maps[0]; i++) {
         if (key_is(key, maps[i].key)) {
             float multiplier;
-            read_texture(import, folder, line, maps[i].texture, &multiplier);
+            read_texture(import, folder, line, &maps[i], &multiplier);
             const bool relief = maps[i].texture == &phong->height || maps[i].texture == &phong->normal;
             phong->normal_scale =
                 relief && scene_import_finite(&multiplier, 1) ? multiplier : phong->normal_scale;
@@ -159,7 +179,8 @@ static bool read_map(struct scene_import *import, const char *folder, struct sce
     return false;
 }
 
-static void note_unused_map(struct scene_import *import, struct scene_word key)
+// Tell of a texture that is not drawn. Return false if the key names none.
+static bool note_unused_map(struct scene_import *import, struct scene_word key)
 {
     static const struct {
         const char *key, *name;
@@ -171,13 +192,15 @@ static void note_unused_map(struct scene_import *import, struct scene_word key)
     for (size_t i = 0; i < sizeof maps / sizeof maps[0]; i++) {
         if (key_is(key, maps[i].key)) {
             scene_import_unsupported(import, "%s textures: not used", maps[i].name);
-            return;
+            return true;
         }
     }
+    const bool is_map = key.length > 4 && strncasecmp(key.start, "map_", 4) == 0;
     // map_aat is no texture but asks for anti-aliasing.
-    if (key.length > 4 && strncasecmp(key.start, "map_", 4) == 0 && !key_is(key, "map_aat")) {
+    if (is_map && !key_is(key, "map_aat")) {
         scene_import_unsupported(import, "textures of %s (MTL): not used", scene_word_string(import, key));
     }
+    return is_map;
 }
 
 // Tell of ambient textures that are not the colour's as well, as most are.
@@ -252,6 +275,42 @@ static void note_unused_value(struct scene_import *import, struct scene_word key
     }
 }
 
+// Tell of a key that means nothing here. Ambient light, illumination models, refraction without rays and the sharpness
+// of reflections are not told of: whoever writes a material writes them.
+static void note_unknown_key(struct scene_import *import, struct scene_unknown_words *unknown,
+                             struct scene_word key)
+{
+    static const char *const known[] = {"Ka", "Kd",  "Ks",    "Ke",     "Ns",    "Ni",
+                                        "d",  "Tr",  "Tf",    "Pr",     "Pm",    "Pc",
+                                        "Ps", "Pcr", "aniso", "anisor", "illum", "sharpness"};
+    for (size_t i = 0; i < sizeof known / sizeof known[0]; i++) {
+        if (key_is(key, known[i])) {
+            return;
+        }
+    }
+    scene_unknown_words_tell(import, unknown, key);
+}
+
+// Tell of a value that should be a number and is none, or none that is finite.
+static void note_bad_value(struct scene_import *import, struct scene_word key, struct scene_line line)
+{
+    static const char *const keys[] = {"Kd", "Ks", "Ke", "Ns",  "d",     "Tr",     "Pr",
+                                       "Pm", "Pc", "Ps", "Pcr", "aniso", "anisor", "illum"};
+    const struct scene_word text = scene_text_rest(line);
+    struct scene_word word = {"", 0};
+    float values[3];
+    struct scene_line rest = line;
+    const int count = scene_text_numbers(&rest, values, 3);
+    scene_text_word(&line, &word);
+    const bool is_told = key_is(word, "spectral") || key_is(word, "xyz") || key_is(word, "-halo");
+    for (size_t i = 0; i < sizeof keys / sizeof keys[0] && !is_told; i++) {
+        if (key_is(key, keys[i]) && (count == 0 || !scene_import_finite(values, (size_t)count))) {
+            scene_import_warn(import, "\"%s %.40s\" (MTL) is no number: left out", keys[i],
+                              scene_word_string(import, text));
+        }
+    }
+}
+
 static void read_value(struct scene_word key, struct scene_line line, struct scene_phong *phong,
                        bool *dissolve)
 {
@@ -303,6 +362,7 @@ bool scene_mtl_read(struct scene_import *import, struct scene_mtl *mtl, const ch
     struct scene_word key;
     size_t current = SIZE_MAX;
     bool dissolve = false;
+    struct scene_unknown_words unknown = {.format = "MTL"};
     while (scene_text_line(&text, false, &line)) {
         if (!scene_text_word(&line, &key) || key.start[0] == '#') {
             continue;
@@ -313,17 +373,19 @@ bool scene_mtl_read(struct scene_import *import, struct scene_mtl *mtl, const ch
             continue;
         }
         if (current == SIZE_MAX) {
+            scene_import_unsupported(import, "what stands before the first newmtl (MTL): not used");
             continue;
         }
         struct scene_phong *phong = &mtl->materials[current].phong;
         if (key_is(key, "map_Ka")) {
             struct scene_phong_texture ambient = scene_phong_texture_default();
             float multiplier;
-            read_texture(import, folder, line, &ambient, &multiplier);
+            read_texture(import, folder, line, &(const struct map){.texture = &ambient}, &multiplier);
             mtl->materials[current].ambient = ambient.name;
-        } else if (!read_map(import, folder, key, line, phong)) {
-            note_unused_map(import, key);
+        } else if (!read_map(import, folder, key, line, phong) && !note_unused_map(import, key)) {
+            note_unknown_key(import, &unknown, key);
             note_unused_value(import, key, line);
+            note_bad_value(import, key, line);
             read_value(key, line, phong, &dissolve);
         }
     }

@@ -37,6 +37,7 @@ void scene_obj_add_position(struct obj *obj, const double *values, int count)
     if (obj->position_count >= INT_MAX) {
         refuse(obj, "has too many vertices");
     }
+    obj->has_odd_numbers = obj->has_odd_numbers || count == 5;
     const size_t index = obj->position_count++;
     scene_import_reserve(obj->import, &obj->read_positions, &obj->position_capacity, index + 1,
                          sizeof *obj->read_positions);
@@ -73,12 +74,13 @@ void scene_obj_add_uv(struct obj *obj, const double *values, int count)
     float *const uv = obj->uvs[obj->uv_count++];
     uv[0] = (float)values[0];
     uv[1] = 1 - (count > 1 ? (float)values[1] : 0); // the format's v points up
+    obj->has_third_uv = obj->has_third_uv || (count > 2 && values[2] != 0);
 }
 
 static void read_uv(struct obj *obj, struct scene_line line)
 {
-    double values[2];
-    const int count = scene_text_doubles(&line, values, 2);
+    double values[3];
+    const int count = scene_text_doubles(&line, values, 3);
     if (count < 1) {
         refuse(obj, "a texture coordinate needs a number");
     }
@@ -282,6 +284,7 @@ static void read_element(struct obj *obj, enum scene_primitive primitive, struct
     } else if (primitive == SCENE_PRIMITIVE_TRIANGLES) {
         obj->small_faces++;
     }
+    obj->small_lines += primitive == SCENE_PRIMITIVE_LINES && count < 2;
     for (uint32_t i = 1; primitive == SCENE_PRIMITIVE_LINES && i < count; i++) {
         scene_obj_add_element(obj, primitive, obj->polygon + i - 1, 2);
     }
@@ -373,25 +376,6 @@ static void read_smoothing(struct obj *obj, struct scene_line line)
     obj->smoothing = number && group >= 0 && group < 1e9f ? (int)group : SMOOTHING_OFF;
 }
 
-// Tell of statements that would draw something, or draw it otherwise.
-static void tell_of_statement(struct obj *obj, struct scene_word key)
-{
-    static const struct {
-        const char *key, *what;
-    } statements[] = {
-        {"curv", "free-form curves and surfaces"}, {"curv2", "free-form curves and surfaces"},
-        {"surf", "free-form curves and surfaces"}, {"cstype", "free-form curves and surfaces"},
-        {"bsp", "free-form curves and surfaces"},  {"bzp", "free-form curves and surfaces"},
-        {"cdc", "free-form curves and surfaces"},  {"cdp", "free-form curves and surfaces"},
-        {"call", "other files, which call names"}, {"usemap", "texture maps (usemap)"},
-    };
-    for (size_t i = 0; i < sizeof statements / sizeof statements[0]; i++) {
-        if (scene_word_is(key, statements[i].key)) {
-            scene_import_unsupported(obj->import, "%s: not drawn", statements[i].what);
-        }
-    }
-}
-
 static void read_line(struct obj *obj, struct scene_word key, struct scene_line line)
 {
     if (scene_word_is(key, "v")) {
@@ -415,7 +399,7 @@ static void read_line(struct obj *obj, struct scene_word key, struct scene_line 
     } else if (scene_word_is(key, "s")) {
         read_smoothing(obj, line);
     } else {
-        tell_of_statement(obj, key);
+        scene_obj_tell_of_statement(obj, key, line);
     }
 }
 
@@ -481,9 +465,39 @@ static void read_comment(struct obj *obj, struct scene_line line)
     }
 }
 
+// Tell of elements that are left out, and of numbers that mean nothing.
+static void tell_of_elements(const struct obj *obj)
+{
+    if (obj->small_faces > 0) {
+        scene_import_warn(obj->import, "%u faces of fewer than three corners are left out", obj->small_faces);
+    }
+    if (obj->small_lines > 0) {
+        scene_import_warn(obj->import, "%u lines of fewer than two corners are left out", obj->small_lines);
+    }
+    if (obj->zero_elements > 0) {
+        scene_import_warn(
+            obj->import,
+            "faces, lines and points with an index of 0 are left out, %u of them; indices start at 1",
+            obj->zero_elements);
+    }
+    if (obj->has_zero_others) {
+        scene_import_warn(obj->import, "texture coordinates and normals with an index of 0 are left out");
+    }
+    if (obj->has_third_uv) {
+        scene_import_unsupported(obj->import, "texture coordinates of three numbers: the third is not used");
+    }
+    if (obj->has_odd_numbers) {
+        scene_import_warn(obj->import,
+                          "two numbers behind a vertex, which OBJ gives no meaning, are ignored");
+    }
+}
+
 void scene_import_obj(struct scene_import *import)
 {
-    struct obj obj = {.import = import, .smoothing = SMOOTHING_NOT_SAID, .libraries_complete = true};
+    struct obj obj = {.import = import,
+                      .smoothing = SMOOTHING_NOT_SAID,
+                      .libraries_complete = true,
+                      .unknown = {.format = "OBJ"}};
     const char *problem = NULL;
     size_t size = 0;
     char *bytes = scene_import_read_file(import, import->model.path, &size, &problem);
@@ -513,17 +527,7 @@ void scene_import_obj(struct scene_import *import)
     if (obj.position_count == 0) {
         scene_import_fail(import, "is no OBJ model: it has no vertices");
     }
-    if (obj.small_faces > 0) {
-        scene_import_warn(import, "%u faces of fewer than three corners are left out", obj.small_faces);
-    }
-    if (obj.zero_elements > 0) {
-        scene_import_warn(
-            import, "faces, lines and points with an index of 0 are left out, %u of them; indices start at 1",
-            obj.zero_elements);
-    }
-    if (obj.has_zero_others) {
-        scene_import_warn(import, "texture coordinates and normals with an index of 0 are left out");
-    }
+    tell_of_elements(&obj);
     warn_of_cut(&obj);
     free(bytes);
     if (obj.part_count == 0) {

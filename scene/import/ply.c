@@ -5,6 +5,7 @@
 // Here are the order of a read, and the meshes that the data become.
 #include "ply.h"
 
+#include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
@@ -34,21 +35,51 @@ bool scene_import_is_ply(const char *path, const unsigned char *start, size_t si
     return has_magic(start, size) || (dot != NULL && strcasecmp(dot, ".ply") == 0);
 }
 
-// Tell of properties that would change how a surface looks.
+// Return true if a name has a word in it, in any case. No letters stand beside a word, unless an underscore ends it.
+static bool has_word(struct scene_word name, const char *word)
+{
+    const size_t length = strlen(word);
+    for (size_t i = 0; i + length <= name.length; i++) {
+        const bool begins = i == 0 || !isalpha((unsigned char)name.start[i - 1]);
+        const bool ends = word[length - 1] == '_' || i + length == name.length ||
+                          !isalpha((unsigned char)name.start[i + length]);
+        if (begins && ends && strncasecmp(name.start + i, word, length) == 0) {
+            return true;
+        }
+    }
+    return false;
+}
+
 void scene_ply_tell_of_property(struct ply *ply, struct scene_word name)
 {
     static const struct {
-        const char *start, *what;
+        const char *word, *what;
     } looks[] = {
         {"ambient_", "ambient colours"},
         {"specular_", "specular colours"},
         {"material_index", "materials of faces"},
         {"material_indices", "materials of faces"},
+        {"red", NULL},
+        {"green", NULL},
+        {"blue", NULL},
+        {"rgb", NULL},
+        {"rgba", NULL},
+        {"color", NULL},
+        {"colour", NULL},
+        {"alpha", NULL},
+        {"normal", NULL},
+        {"texture", NULL},
+        {"texcoord", NULL},
     };
     for (size_t i = 0; i < sizeof looks / sizeof looks[0]; i++) {
-        const size_t length = strlen(looks[i].start);
-        if (name.length >= length && memcmp(name.start, looks[i].start, length) == 0) {
-            scene_import_unsupported(ply->import, "%s (PLY): not drawn", looks[i].what);
+        if (has_word(name, looks[i].word)) {
+            if (looks[i].what != NULL) {
+                scene_import_unsupported(ply->import, "%s (PLY): not drawn", looks[i].what);
+            } else {
+                scene_import_unsupported(ply->import, "property \"%s\" (PLY): not drawn",
+                                         scene_word_string(ply->import, name));
+            }
+            return;
         }
     }
 }
@@ -176,7 +207,9 @@ static void find_rows(struct ply *ply)
         }
         for (int k = 0; k < element->property_count; k++) {
             numbered = numbered || scene_word_is(element->properties[k].name, "texnumber");
-            scene_ply_tell_of_property(ply, element->properties[k].name);
+            if (!scene_ply_reads_of_face(&element->properties[k])) {
+                scene_ply_tell_of_property(ply, element->properties[k].name);
+            }
         }
     }
     if (ply->texture_count > 1 && !numbered) {

@@ -98,7 +98,9 @@ void scene_ply_add_color(struct ply *ply, struct ply_colors *colors, const float
 /// Make the colours of the rows linear. Return true if any is translucent.
 bool scene_ply_decode_colors(struct ply_colors *colors);
 
-/// Tell of a property that would change how a surface looks.
+/// Return true for a property of a face that is read.
+bool scene_ply_reads_of_face(const struct property *property);
+/// Tell of a property that is not read if, by its name, it would change how a surface looks.
 void scene_ply_tell_of_property(struct ply *ply, struct scene_word name);
 
 // Read the rows of an element.

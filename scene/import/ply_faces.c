@@ -60,6 +60,11 @@ static enum use use_of(const struct property *property)
                                                   : USE_NONE;
 }
 
+bool scene_ply_reads_of_face(const struct property *property)
+{
+    return use_of(property) != USE_NONE;
+}
+
 // One row of an element.
 struct face {
     enum use uses[MOST_PROPERTIES];

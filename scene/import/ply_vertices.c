@@ -140,7 +140,9 @@ void scene_ply_read_vertices(struct ply *ply, const struct element *element)
     for (int i = 0; i < element->property_count; i++) {
         targets[i] = scene_ply_target(&element->properties[i]);
         present[targets[i]] = true;
-        scene_ply_tell_of_property(ply, element->properties[i].name);
+        if (targets[i] == UNUSED) {
+            scene_ply_tell_of_property(ply, element->properties[i].name);
+        }
     }
     if (ply->mesh.positions != NULL) {
         scene_import_fail(ply->import, "has two lists of vertices");

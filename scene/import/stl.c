@@ -16,6 +16,7 @@
 #include "import/builder/place.h"
 #include "import/builder/readers.h"
 #include "import/builder/text_lines.h"
+#include "import/builder/unknown_words.h"
 
 enum { HEADER = 84, FACET = 50 }; // bytes of a binary file's head with its count, and bytes of a facet
 
@@ -325,6 +326,7 @@ struct reader {
     int corner_count; // corners of the facet that is open; a facet may have more than 3
     bool in_solid, in_facet;
     size_t facets;
+    struct scene_unknown_words unknown;
 };
 
 static bool key_is(struct scene_word word, const char *key)
@@ -405,13 +407,17 @@ static void read_line(struct reader *reader, struct scene_word key, struct scene
         end_solid(reader);
     } else if (key_is(key, "color")) {
         scene_import_unsupported(reader->import, "colours in text (STL): not drawn");
+    } else if (!key_is(key, "outer") && !key_is(key, "endloop")) {
+        scene_unknown_words_tell(reader->import, &reader->unknown, key);
     }
 }
 
 static void read_text(struct scene_import *import, char *bytes, size_t size)
 {
-    struct reader reader = {
-        .import = import, .text = scene_text_open(import, bytes, size), .solid = {.name = ""}};
+    struct reader reader = {.import = import,
+                            .text = scene_text_open(import, bytes, size),
+                            .solid = {.name = ""},
+                            .unknown = {.format = "STL"}};
     struct scene_line line;
     struct scene_word key;
     while (scene_text_line(&reader.text, false, &line)) {

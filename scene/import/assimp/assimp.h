@@ -30,6 +30,14 @@ const struct aiNode *scene_assimp_holder(const struct aiNode *node, unsigned mes
 void scene_assimp_listen(struct scene_import *import);
 /// Tells the user what assimp leaves out without a word, as the file has it.
 void scene_assimp_find_gaps(struct scene_import *import);
+/// Tells the user what assimp leaves out of a model that is made of chunks, if it is one of 3DS, LightWave or Blitz3D.
+void scene_assimp_look_at_chunks(struct scene_import *import, const void *bytes, size_t size);
+/// Tells the user what is left out of a DXF, and what of it is drawn that is hidden.
+void scene_assimp_look_at_dxf(struct scene_import *import, char *bytes, size_t size);
+/// Tells the user what assimp leaves out of a model if it is one of NFF or AC3D.
+void scene_assimp_look_at_text(struct scene_import *import, char *bytes, size_t size);
+/// Tells the user what assimp leaves out of the text of a Collada document. A 0 follows it.
+void scene_assimp_look_at_collada(struct scene_import *import, char *text, size_t size);
 /// What assimp reads: the file of the import, or the bytes that stand for it.
 struct scene_assimp_source {
     struct scene_import *import;
@@ -44,6 +52,8 @@ struct scene_assimp_source {
 struct aiFileIO scene_assimp_files(struct scene_assimp_source *source);
 /// Return the document of an archive of Collada, a 0 behind it. Fail the import if there is none.
 char *scene_assimp_read_zae(struct scene_import *import, size_t *size);
+/// Return true for a file that may be Collada, by the ending of its name.
+bool scene_assimp_may_be_collada(const struct scene_import *import);
 /// Return the text of a Collada file as assimp can read it, a 0 behind it. Return NULL if the file is none.
 char *scene_assimp_collada(struct scene_import *import, size_t *size);
 /// Return the text of a DXF as assimp can read it, a 0 behind it. Return NULL if the file is none.

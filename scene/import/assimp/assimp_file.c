@@ -98,22 +98,22 @@ static size_t size_of_memory(struct aiFile *file)
     return memory_of(file)->size;
 }
 
-// Return true for a file that may be Collada, by the ending of its name.
-static bool may_be_collada(const struct scene_import *import)
-{
-    const char *const ending = import->ending;
-    return ending[0] == 0 || strcasecmp(ending, "dae") == 0 || strcasecmp(ending, "xml") == 0;
-}
-
 static bool is_zae(const struct scene_import *import)
 {
     return strcasecmp(import->ending, "zae") == 0;
 }
 
+bool scene_assimp_may_be_collada(const struct scene_import *import)
+{
+    const char *const ending = import->ending;
+    return ending[0] == 0 || is_zae(import) || strcasecmp(ending, "dae") == 0 ||
+           strcasecmp(ending, "xml") == 0;
+}
+
 char *scene_assimp_collada(struct scene_import *import, size_t *size)
 {
     const char *problem = NULL;
-    char *text = may_be_collada(import) || is_zae(import)
+    char *text = scene_assimp_may_be_collada(import)
                      ? scene_import_read_bytes(import->model.path, size, &problem)
                      : NULL;
     if (text != NULL && is_zae(import) && strncmp(text, "PK", 2) == 0) {

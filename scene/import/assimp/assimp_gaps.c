@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What assimp leaves out. Part of it assimp says in its log, which is read here. Of the rest it says nothing: of
-// entities of DXF that it has no code for, and of frames after the first of models that move by frames. Marks in the
-// file tell of these.
+// What assimp leaves out. Part of it assimp says in its log, which is read here. Of the rest it says nothing, such as
+// of frames after the first of models that move by frames. Marks in the file tell of these.
 #include <assimp/cimport.h>
 #include <ctype.h>
 #include <stdlib.h>
@@ -9,7 +8,6 @@
 #include <strings.h>
 
 #include "assimp.h"
-#include "import/builder/text_lines.h"
 
 // Log -----------------------------------------------------------------------------------------------
 
@@ -42,7 +40,32 @@ static bool tells_of_gap(const char *line)
                                        "external file",
                                        "unable to find",
                                        "unknown data object in m",
-                                       "unknown node"};
+                                       "unknown data object in frame",
+                                       "unknown node",
+                                       "no material has been found",
+                                       "unresolved reference",
+                                       "unable to resolve",
+                                       "failed to resolve",
+                                       "could not resolve",
+                                       "cannot resolve",
+                                       "failed to match",
+                                       "failed to find source file",
+                                       "failed to convert source",
+                                       "unable to open material",
+                                       "couldn't find a handler",
+                                       "cannot represent",
+                                       "out of range",
+                                       "out of bounds",
+                                       "index overflow",
+                                       "failure evaluating",
+                                       "just one",
+                                       "only triangles",
+                                       "type flag of a surface",
+                                       "unknown surface shader",
+                                       "unknown texture type",
+                                       "unknown blend function",
+                                       "unrecognized material type",
+                                       "did not find uv channel"};
     static const char *const others[] = {
         "format version",
         "blenddna",
@@ -63,7 +86,8 @@ static bool tells_of_gap(const char *line)
         "length of texture",
         "light source",
         "plugin",
-        "chunk",
+        "subchunk",
+        "unknown ''",
         "eof",
         "duplicate",
         "transition code",
@@ -72,6 +96,9 @@ static bool tells_of_gap(const char *line)
         "envelopes",
         "degenerate",
         "null geometry",
+        "maya texture blend mode",
+        "setting default material",
+        "unsupported chunk:",
     };
     return has_any(line, gaps, sizeof gaps / sizeof *gaps) &&
            !has_any(line, others, sizeof others / sizeof *others);
@@ -118,8 +145,10 @@ static void look_for_words(struct scene_import *import, const char *bytes, size_
         {"dae", "<spline", "curves"},
         {"dae", "<brep", "boundary representations"},
         {"dae", "<nurbs", "NURBS"},
+        {"dae", "<convex_mesh", "convex meshes"},
         {"fbx", "NurbsSurface", "NURBS surfaces"},
         {"fbx", "NurbsCurve", "NURBS curves"},
+        {"fbx", "VertexCacheDeformer", "movements of vertices that are in a file beside it"},
         {"x3d", "<Text", "text"},
         {"x3d", "<Nurbs", "NURBS"},
         {"x3d", "<Geo", "geospatial nodes"},
@@ -136,7 +165,8 @@ static void look_for_words(struct scene_import *import, const char *bytes, size_
     };
     for (size_t i = 0; i < sizeof words / sizeof words[0]; i++) {
         const size_t length = strlen(words[i].word);
-        const char *const ending = import->archive != NULL ? "dae" : import->ending;
+        const bool is_zae = strcasecmp(import->ending, "zae") == 0;
+        const char *const ending = is_zae ? "dae" : import->ending;
         if (strcasecmp(ending, words[i].ending) != 0) {
             continue;
         }
@@ -147,29 +177,6 @@ static void look_for_words(struct scene_import *import, const char *bytes, size_
         }
         if (place != NULL && (size_t)(end - place) >= length) {
             scene_import_unsupported(import, "%s: not drawn", words[i].what);
-        }
-    }
-}
-
-// Look for entities of a DXF, which stand on lines of their own behind a line with the code 0.
-static void look_for_entities(struct scene_import *import, char *bytes, size_t size)
-{
-    static const char *const entities[] = {
-        "3DSOLID", "ATTRIB", "BODY", "DIMENSION", "HATCH", "HELIX",  "IMAGE",   "LEADER", "MESH",    "MLINE",
-        "MTEXT",   "POINT",  "RAY",  "REGION",    "SHAPE", "SPLINE", "SURFACE", "TEXT",   "WIPEOUT", "XLINE",
-    };
-    struct scene_text text = scene_text_open(import, bytes, size);
-    struct scene_line line;
-    struct scene_word code, name;
-    while (scene_text_line(&text, false, &line)) {
-        const bool entity = scene_text_word(&line, &code) && scene_word_is(code, "0");
-        if (!scene_text_line(&text, false, &line) || !entity || !scene_text_word(&line, &name)) {
-            continue;
-        }
-        for (size_t i = 0; i < sizeof entities / sizeof *entities; i++) {
-            if (scene_word_is(name, entities[i])) {
-                scene_import_unsupported(import, "entities %s (DXF): not drawn", entities[i]);
-            }
         }
     }
 }
@@ -194,17 +201,25 @@ void scene_assimp_find_gaps(struct scene_import *import)
 {
     const char *problem = NULL;
     size_t size = 0;
-    char *const bytes = import->archive != NULL
-                            ? scene_assimp_read_zae(import, &size)
-                            : scene_import_read_file(import, import->model.path, &size, &problem);
+    char *bytes = scene_import_read_file(import, import->model.path, &size, &problem);
+    if (bytes != NULL && strcasecmp(import->ending, "zae") == 0 && strncmp(bytes, "PK", 2) == 0) {
+        free(bytes);
+        bytes = scene_assimp_read_zae(import, &size);
+    }
     if (bytes == NULL) {
         scene_import_warn(import, "cannot be looked through for what is not drawn: %s", problem);
         return;
     }
     look_for_words(import, bytes, size);
     look_for_frames(import, (const unsigned char *)bytes, size);
+    scene_assimp_look_at_chunks(import, bytes, size);
+    if (scene_assimp_may_be_collada(import)) {
+        scene_assimp_look_at_collada(import, bytes, size);
+    }
     if (strcasecmp(import->ending, "dxf") == 0) {
-        look_for_entities(import, bytes, size);
+        scene_assimp_look_at_dxf(import, bytes, size);
+    } else {
+        scene_assimp_look_at_text(import, bytes, size);
     }
     free(bytes);
 }

@@ -230,7 +230,9 @@ static void read_textures(const struct reader *reader, struct scene_phong *phong
     read_texture(reader, aiTextureType_BASE_COLOR, &phong->color);
     read_texture(reader, aiTextureType_DIFFUSE, &phong->color);
     read_texture(reader, aiTextureType_OPACITY, &phong->opacity_map);
-    read_texture(reader, aiTextureType_NORMALS, &phong->normal);
+    // Collada calls relief what may be heights or normals, which the image itself tells.
+    const bool is_relief = strcmp(reader->import->model.format, "Collada") == 0;
+    read_texture(reader, aiTextureType_NORMALS, is_relief ? &phong->height : &phong->normal);
     read_texture(reader, aiTextureType_NORMAL_CAMERA, &phong->normal);
     read_texture(reader, aiTextureType_HEIGHT, &phong->height);
     read_texture(reader, aiTextureType_AMBIENT_OCCLUSION, &phong->occlusion);

@@ -46,6 +46,28 @@ static void *attribute(const struct primitive *primitive, const json_t *attribut
     return values;
 }
 
+// Tell of attributes that mean nothing. Those that begin with _ are a program's own.
+static void tell_of_attributes(const struct primitive *primitive)
+{
+    static const char *const known[] = {"POSITION", "NORMAL",  "TANGENT", "TEXCOORD_",
+                                        "COLOR_",   "JOINTS_", "WEIGHTS_"};
+    const char *name;
+    json_t *value;
+    json_object_foreach((json_t *)primitive->attributes, name, value)
+    {
+        bool is_known = name[0] == '_';
+        for (size_t i = 0; i < sizeof known / sizeof known[0]; i++) {
+            const size_t length = strlen(known[i]);
+            const bool is_numbered = known[i][length - 1] == '_';
+            is_known = is_known ||
+                       (is_numbered ? strncmp(name, known[i], length) == 0 : strcmp(name, known[i]) == 0);
+        }
+        if (!is_known) {
+            scene_import_unsupported(primitive->gltf->import, "attribute \"%.64s\": ignored", name);
+        }
+    }
+}
+
 static void read_attributes(struct primitive *primitive)
 {
     struct scene_mesh *mesh = &primitive->mesh;
@@ -62,6 +84,7 @@ static void read_attributes(struct primitive *primitive)
         scene_import_unsupported(primitive->gltf->import,
                                  "a second set of vertex colours (COLOR_1): ignored");
     }
+    tell_of_attributes(primitive);
 }
 
 // Indices -------------------------------------------------------------------------------------------

@@ -43,8 +43,16 @@ static void put_text(struct chunks *chunks, unsigned kind, const char *text)
     end(chunks, place);
 }
 
+// An empty chunk: what it says, it says by being there.
+static void put_mark(struct chunks *chunks, unsigned kind)
+{
+    if (kind != 0) {
+        end(chunks, begin(chunks, kind));
+    }
+}
+
 static void put_material(struct chunks *chunks, const unsigned char color[3], unsigned shading,
-                         unsigned tiling)
+                         unsigned tiling, unsigned mark)
 {
     const size_t material = begin(chunks, 0xafff);
     put_text(chunks, 0xa000, "m");
@@ -61,10 +69,11 @@ static void put_material(struct chunks *chunks, const unsigned char color[3], un
     put_short(chunks, tiling);
     end(chunks, flags);
     end(chunks, map);
+    put_mark(chunks, mark);
     end(chunks, material);
 }
 
-static void put_triangle(struct chunks *chunks)
+static void put_triangle(struct chunks *chunks, unsigned mark)
 {
     static const float positions[3][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}},
                        uvs[3][2] = {{0, 0}, {4, 0}, {0, 4}};
@@ -89,22 +98,48 @@ static void put_triangle(struct chunks *chunks)
     put(chunks, uvs, sizeof uvs);
     end(chunks, coordinates);
     end(chunks, mesh);
+    put_mark(chunks, mark);
+    end(chunks, object);
+}
+
+static void put_light(struct chunks *chunks, unsigned mark)
+{
+    static const float place[3] = {0, 0, 9};
+    const size_t object = begin(chunks, 0x4000);
+    put(chunks, "l", 2);
+    const size_t light = begin(chunks, 0x4600);
+    put(chunks, place, sizeof place);
+    put_mark(chunks, mark);
+    end(chunks, light);
     end(chunks, object);
 }
 
 enum { WIRE = 0, PHONG = 3 }; // shading
 
-static struct scene_model *make_model(const unsigned char color[3], unsigned shading, unsigned tiling)
+// What the file has beside a material and a triangle: kinds of chunks, 0 for none.
+struct marks {
+    unsigned material, object, light, editor;
+};
+
+static struct scene_model *make_marked(const unsigned char color[3], unsigned shading, unsigned tiling,
+                                       const struct marks *marks)
 {
     struct chunks chunks = {.size = 0};
     const size_t file = begin(&chunks, 0x4d4d), editor = begin(&chunks, 0x3d3d);
-    put_material(&chunks, color, shading, tiling);
-    put_triangle(&chunks);
+    put_material(&chunks, color, shading, tiling, marks->material);
+    put_triangle(&chunks, marks->object);
+    put_light(&chunks, marks->light);
+    put_mark(&chunks, marks->editor);
     end(&chunks, editor);
     end(&chunks, file);
     write_bytes("a.png", "P6\n1 1\n255\n\x10\x20\x30", 14);
     write_bytes("x.3ds", chunks.bytes, chunks.size);
     return load("x.3ds");
+}
+
+static struct scene_model *make_model(const unsigned char color[3], unsigned shading, unsigned tiling)
+{
+    return make_marked(color, shading, tiling, &(const struct marks){0});
 }
 
 // Beside a decal the material's own colour shows: under a grey that gives way to the texture it is that grey, and a
@@ -145,7 +180,45 @@ static void test_wires(void **state)
     }
 }
 
+// What assimp passes over without a word.
+static void test_told(void **state)
+{
+    (void)state;
+    static const struct {
+        unsigned tiling;
+        struct marks marks;
+        const char *told;
+    } cases[] = {
+        {0, {0}, NULL},
+        {4, {0}, "inverted textures: drawn as they are"},
+        {0x80, {0}, "tinted textures: drawn as they are"},
+        {0x200, {0}, "tinted textures: drawn as they are"},
+        {0x40, {0}, "textures that are the alpha of their image: drawn as its colours"},
+        {0, {.material = 0xa33a}, "textures above each other: the first alone is used"},
+        {0, {.material = 0xa33e}, "masks of textures: not used"},
+        {0, {.material = 0xa310}, "reflections of what is around (3DS): not drawn"},
+        {0, {.material = 0xa083}, "additive blending: drawn as ordinary blending"},
+        {0, {.material = 0xa085}, "wire frames: drawn as surfaces"},
+        {0, {.material = 0xa088}, "textures on each face (3DS): drawn by the coordinates"},
+        {0, {.object = 0x4010}, "hidden objects: drawn"},
+        {0, {.light = 0x4620}, "lights that are off: drawn as if they were on"},
+        {0, {.editor = 0x1201}, "the background: not drawn"},
+        {0, {.editor = 0x2201}, "fog: not drawn"},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        struct scene_model *const model =
+            make_marked((const unsigned char[]){9, 9, 9}, PHONG, cases[i].tiling, &cases[i].marks);
+        assert_int_equal(model->light_count, 1);
+        if (model->unsupported_count != (cases[i].told != NULL) ||
+            (cases[i].told != NULL && !is_unsupported(model, cases[i].told))) {
+            fail_msg("%zu: %u lines", i, model->unsupported_count);
+        }
+        scene_model_free(model);
+    }
+}
+
 static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_told),
     cmocka_unit_test(test_wires),
     cmocka_unit_test(test_decal),
 };

@@ -420,7 +420,71 @@ static void test_indices_that_are_none(void **state)
     }
 }
 
+// Copy a text, with another one before the first `place` in it.
+static void insert(const char *text, const char *place, const char *more, char inserted[8192])
+{
+    const char *const found = strstr(text, place);
+    assert_non_null(found);
+    snprintf(inserted, 8192, "%.*s%s%s", (int)(found - text), text, more, found);
+}
+
+// What is left out of a document is told in an archive as it is beside one, and a camera is drawn.
+static void test_gaps_in_archive(void **state)
+{
+    (void)state;
+    char text[8192], with_curve[8192], whole[8192];
+    make_document("", text);
+    insert(text, "</library_geometries>", "<geometry id=\"c\"><spline/></geometry>", with_curve);
+    insert(with_curve, "<scene>",
+           "<library_cameras><camera id=\"eye\"><optics><technique_common><perspective><yfov>30</yfov>"
+           "<aspect_ratio>1.5</aspect_ratio><znear>1</znear><zfar>9</zfar></perspective></technique_common>"
+           "</optics></camera></library_cameras>",
+           text);
+    insert(text, "</visual_scene>", "<node><instance_camera url=\"#eye\"/></node>", whole);
+    zipFile zip = package_begin("x.zae");
+    package_add_text(zip, "x.dae", whole);
+    package_end(zip);
+    struct scene_model *const model = load("x.zae");
+    assert_true(is_unsupported(model, "curves: not drawn"));
+    assert_int_equal(model->unsupported_count, 1);
+    assert_int_equal(model->camera_count, 1);
+    assert_floats(&model->cameras[0].yfov, (const float[]){0.5235988f}, 1, 1e-6f);
+    scene_model_free(model);
+}
+
+// Relief that is a grey image is one of heights, which become normals, and any other image has normals.
+static void test_relief(void **state)
+{
+    (void)state;
+    static const uint8_t pictures[][6] = {{0, 0, 0, 255, 255, 255}, {128, 128, 255, 128, 0, 128}},
+                         texels[][8] = {{128, 128, 255, 255, 128, 128, 255, 255},
+                                        {128, 128, 255, 255, 128, 0, 128, 255}};
+    char text[8192], relief[8192];
+    make_document("", text);
+    memcpy(strstr(text, "gone.png"), "bump.png", strlen("bump.png"));
+    insert(text, "</technique></profile_COMMON>",
+           "<extra><technique profile=\"FCOLLADA\"><bump><texture texture=\"s\" texcoord=\"UV\"/></bump>"
+           "</technique></extra>",
+           relief);
+    write_text("x.dae", relief);
+    for (size_t i = 0; i < sizeof pictures / sizeof pictures[0]; i++) {
+        char picture[18] = "P6\n2 1\n255\n";
+        const size_t head = strlen(picture);
+        memcpy(picture + head, pictures[i], sizeof pictures[i]);
+        write_bytes("bump.png", picture, head + sizeof pictures[i]);
+        struct scene_model *const model = load("x.dae");
+        const struct scene_material *const material =
+            &model->materials[model->meshes[model->instances[0].mesh].material];
+        const int32_t image = material->slots[SCENE_SLOT_NORMAL].image;
+        assert_true(image >= 0);
+        assert_memory_equal(model->images[image].texels, texels[i], sizeof texels[i]);
+        scene_model_free(model);
+    }
+}
+
 static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_gaps_in_archive),
+    cmocka_unit_test(test_relief),
     cmocka_unit_test(test_package),
     cmocka_unit_test(test_packages_of_none),
     cmocka_unit_test(test_shared_entry),

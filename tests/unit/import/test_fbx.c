@@ -169,9 +169,87 @@ static void test_opacity(void **state)
     }
 }
 
+// Write a triangle with more objects, and their connections.
+static void write_triangle(const char *objects, const char *connections)
+{
+    write_format("told.fbx",
+                 "; FBX 7.4.0 project file\n"
+                 "FBXHeaderExtension:  {\n\tFBXVersion: 7400\n}\n"
+                 "Objects:  {\n"
+                 "\tGeometry: 10, \"Geometry::\", \"Mesh\" {\n"
+                 "\t\tVertices: *9 {\n\t\t\ta: 0,0,0,1,0,0,0,1,0\n\t\t}\n"
+                 "\t\tPolygonVertexIndex: *3 {\n\t\t\ta: 0,1,-3\n\t\t}\n\t}\n"
+                 "\tModel: 11, \"Model::mesh\", \"Mesh\" {\n\t\tVersion: 232\n\t}\n%s}\n"
+                 "Connections:  {\n\tC: \"OO\",11,0\n\tC: \"OO\",10,11\n%s}\n",
+                 objects, connections);
+}
+
+// A morph target that a movement turns on, and a bone: at rest, and at a moment.
+static void test_moved_meshes(void **state)
+{
+    (void)state;
+    static const char *const told[][2] = {
+        {"1 animation: drawn at rest", "skins: drawn in the pose the meshes are stored in"},
+        {"animations of meshes and morph targets: left as at rest", NULL},
+    };
+    write_triangle(
+        "\tDeformer: 20, \"Deformer::\", \"BlendShape\" {\n\t\tVersion: 100\n\t}\n"
+        "\tDeformer: 21, \"SubDeformer::smile\", \"BlendShapeChannel\" {\n\t\tDeformPercent: 0\n"
+        "\t\tFullWeights: *1 {\n\t\t\ta: 100\n\t\t}\n\t}\n"
+        "\tGeometry: 22, \"Geometry::smile\", \"Shape\" {\n\t\tIndexes: *1 {\n\t\t\ta: 0\n\t\t}\n"
+        "\t\tVertices: *3 {\n\t\t\ta: 0,0,1\n\t\t}\n\t\tNormals: *3 {\n\t\t\ta: 0,0,0\n\t\t}\n\t}\n"
+        "\tAnimationStack: 30, \"AnimStack::move\", \"\" {\n\t}\n"
+        "\tAnimationLayer: 31, \"AnimLayer::\", \"\" {\n\t}\n"
+        "\tAnimationCurveNode: 32, \"AnimCurveNode::\", \"\" {\n\t\tProperties70:  {\n\t\t}\n\t}\n"
+        "\tAnimationCurve: 33, \"AnimCurve::\", \"\" {\n\t\tKeyTime: *2 {\n\t\t\ta: 0,46186158000\n\t\t}\n"
+        "\t\tKeyValueFloat: *2 {\n\t\t\ta: 0,100\n\t\t}\n\t}\n"
+        "\tModel: 40, \"Model::bone\", \"LimbNode\" {\n\t\tVersion: 232\n\t}\n"
+        "\tDeformer: 41, \"Deformer::\", \"Skin\" {\n\t\tVersion: 101\n\t}\n"
+        "\tDeformer: 42, \"SubDeformer::\", \"Cluster\" {\n\t\tVersion: 100\n"
+        "\t\tIndexes: *1 {\n\t\t\ta: 0\n\t\t}\n\t\tWeights: *1 {\n\t\t\ta: 1\n\t\t}\n"
+        "\t\tTransform: *16 {\n\t\t\ta: 1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1\n\t\t}\n"
+        "\t\tTransformLink: *16 {\n\t\t\ta: 1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1\n\t\t}\n\t}\n",
+        "\tC: \"OO\",20,10\n\tC: \"OO\",21,20\n\tC: \"OO\",22,21\n\tC: \"OO\",31,30\n\tC: \"OO\",32,31\n"
+        "\tC: \"OP\",32,21,\"DeformPercent\"\n\tC: \"OP\",33,32,\"d|DeformPercent\"\n"
+        "\tC: \"OO\",40,0\n\tC: \"OO\",41,10\n\tC: \"OO\",42,41\n\tC: \"OO\",40,42\n");
+    for (int i = 0; i < 2; i++) {
+        const struct scene_model_options options = {.is_posed = i == 1, .time = 0.5};
+        char error[512] = "";
+        struct scene_model *const model =
+            scene_model_load(path_of("told.fbx"), &options, error, sizeof error);
+        assert_string_equal(error, "");
+        assert_true(is_unsupported(model, "morph targets: drawn at rest"));
+        assert_true(is_unsupported(model, told[i][0]));
+        assert_true(told[i][1] == NULL || is_unsupported(model, told[i][1]));
+        assert_int_equal(model->unsupported_count, told[i][1] == NULL ? 2 : 3);
+        scene_model_free(model);
+    }
+}
+
+// A material with two images for its colour, one as each of two programs calls it; a movement that is in another file.
+static void test_told(void **state)
+{
+    (void)state;
+    write_triangle("\tMaterial: 12, \"Material::m\", \"\" {\n\t\tVersion: 102\n\t}\n"
+                   "\tTexture: 13, \"Texture::a\", \"\" {\n\t\tFileName: \"a.png\"\n"
+                   "\t\tRelativeFilename: \"a.png\"\n\t}\n"
+                   "\tTexture: 14, \"Texture::b\", \"\" {\n\t\tFileName: \"b.png\"\n"
+                   "\t\tRelativeFilename: \"b.png\"\n\t}\n"
+                   "\tDeformer: 15, \"Deformer::\", \"VertexCacheDeformer\" {\n\t}\n",
+                   "\tC: \"OO\",12,11\n\tC: \"OP\",13,12,\"DiffuseColor\"\n"
+                   "\tC: \"OP\",14,12,\"Maya|baseColor\"\n");
+    struct scene_model *const model = load("told.fbx");
+    assert_true(is_unsupported(model, "textures for one purpose: the first alone is used"));
+    assert_true(is_unsupported(model, "movements of vertices that are in a file beside it: not drawn"));
+    assert_int_equal(model->unsupported_count, 2);
+    scene_model_free(model);
+}
+
 static const struct CMUnitTest tests[] = {
-    cmocka_unit_test(test_binary),         cmocka_unit_test(test_order), cmocka_unit_test(test_text),
-    cmocka_unit_test(test_first_material), cmocka_unit_test(test_light), cmocka_unit_test(test_opacity),
+    cmocka_unit_test(test_binary), cmocka_unit_test(test_order),
+    cmocka_unit_test(test_text),   cmocka_unit_test(test_first_material),
+    cmocka_unit_test(test_light),  cmocka_unit_test(test_opacity),
+    cmocka_unit_test(test_told),   cmocka_unit_test(test_moved_meshes),
 };
 
 const struct unit_tests test_fbx = UNIT_TESTS(tests, make_directory, remove_directory);

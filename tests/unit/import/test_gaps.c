@@ -5,18 +5,45 @@
 #include <stdio.h>
 #include <string.h>
 
-// An entity that assimp has no code for.
+#define SECTION(name, pairs) "0\nSECTION\n2\n" name "\n" pairs "0\nENDSEC\n"
+#define FACE(pairs)                                                                                         \
+    "0\n3DFACE\n" pairs "10\n0\n20\n0\n30\n0\n11\n1\n21\n0\n31\n0\n12\n1\n22\n1\n32\n0\n13\n0\n23\n1\n33\n" \
+    "0\n"
+#define LAYER(pairs) SECTION("TABLES", "0\nTABLE\n2\nLAYER\n0\nLAYER\n2\nl\n" pairs "0\nENDTAB\n")
+
+// Entities that assimp has no code for, whatever they are, and entities that it draws though they are hidden.
 static void test_entities(void **state)
 {
     (void)state;
-    struct scene_model *model = load_text(
-        "e.dxf",
-        "0\nSECTION\n2\nENTITIES\n0\n3DFACE\n8\n0\n10\n0\n20\n0\n30\n0\n11\n1\n21\n0\n31\n0\n12\n1\n22\n1\n32"
-        "\n0\n"
-        "13\n0\n23\n1\n33\n0\n  0\r\nSPLINE\r\n8\n0\n10\n5\n20\n5\n30\n0\n40\n1\n0\nENDSEC\n0\nEOF\n");
-    assert_true(is_unsupported(model, "entities SPLINE (DXF): not drawn"));
-    assert_int_equal(model->unsupported_count, 1);
-    scene_model_free(model);
+    static const struct {
+        const char *text, *told;
+    } cases[] = {
+        {SECTION("ENTITIES", FACE("8\n0\n") "  0\r\nSPLINE\r\n8\n0\n10\n5\n20\n5\n30\n0\n40\n1\n"),
+         "entities SPLINE (DXF): not drawn"},
+        {SECTION("ENTITIES", FACE("") "0\nMULTILEADER\n8\n0\n"), "entities MULTILEADER (DXF): not drawn"},
+        {SECTION("BLOCKS", "0\nBLOCK\n2\nb\n0\nATTDEF\n0\nHATCH\n0\nENDBLK\n") SECTION("ENTITIES", FACE("")),
+         "entities HATCH (DXF): not drawn"},
+        {SECTION("ENTITIES", FACE("") "0\nVIEWPORT\n67\n1\n") SECTION("OBJECTS", "0\nDICTIONARY\n67\n1\n"),
+         NULL},
+        {SECTION("ENTITIES", FACE("60\n1\n")), "hidden objects: drawn"},
+        {SECTION("ENTITIES", FACE("67\n1\n")), "entities of sheets (DXF): drawn among those of the model"},
+        {LAYER("70\n0\n62\n-7\n") SECTION("ENTITIES", FACE("8\nl\n")),
+         "layers that are off or frozen (DXF): drawn"},
+        {LAYER("70\n1\n62\n7\n") SECTION("ENTITIES", FACE("8\nl\n")),
+         "layers that are off or frozen (DXF): drawn"},
+        {LAYER("70\n4\n62\n7\n") SECTION("ENTITIES", FACE("8\nl\n")), NULL},
+        {LAYER("70\n1\n62\n7\n") SECTION("ENTITIES", FACE("8\nL2\n")), NULL},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        write_format("e.dxf", "%s0\nEOF\n", cases[i].text);
+        struct scene_model *const model = load("e.dxf");
+        assert_true(model->triangles_drawn > 0);
+        if (model->unsupported_count != (cases[i].told != NULL) ||
+            (cases[i].told != NULL && !is_unsupported(model, cases[i].told))) {
+            fail_msg("%zu: %u lines", i, model->unsupported_count);
+        }
+        scene_model_free(model);
+    }
 }
 
 #define COLLADA                                                                               \
@@ -167,6 +194,53 @@ static void test_vertices(void **state)
     }
 }
 
+#define EFFECT(profile, look)                                                                            \
+    COLLADA "<library_effects><effect id=\"e\"><" profile "><technique sid=\"c\"><phong>" look           \
+            "</phong></technique></" profile "></effect></library_effects><library_geometries>" TRIANGLE \
+            "</library_geometries>" SCENE("")
+#define BLEND(mode)                                                                                        \
+    "<diffuse><texture texture=\"s\" texcoord=\"UV\"><extra><technique profile=\"MAYA\"><blend_mode>" mode \
+    "</blend_mode></technique></extra></texture></diffuse>"
+#define TRANSPARENT(mode, what) "<transparent opaque=\"" mode "\">" what "</transparent>"
+
+// What assimp reads of effects and nodes of Collada, and loses.
+static void test_collada(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *text, *told;
+    } cases[] = {
+        {EFFECT("profile_COMMON", TRANSPARENT("RGB_ZERO", "<color>1 0 0 1</color>")),
+         "colours of transparency: not used"},
+        {EFFECT("profile_COMMON", TRANSPARENT("RGB_ONE", "<color>1 1 0 1</color>")),
+         "colours of transparency: not used"},
+        {EFFECT("profile_COMMON", TRANSPARENT("RGB_ZERO", "<color>1 1 1 1</color>")), NULL},
+        {EFFECT("profile_COMMON", TRANSPARENT("A_ONE", "<color>1 0 0 1</color>")), NULL},
+        {EFFECT("profile_COMMON", TRANSPARENT("A_ZERO", "<texture texture=\"s\" texcoord=\"UV\"/>")),
+         "inverted textures: drawn as they are"},
+        {EFFECT("profile_COMMON", TRANSPARENT("A_ONE", "<texture texture=\"s\" texcoord=\"UV\"/>")), NULL},
+        {EFFECT("profile_COMMON", BLEND("ADD")), "the blend mode ADD of textures (Collada): not used"},
+        {EFFECT("profile_COMMON", BLEND(" OVER ")), "the blend mode OVER of textures (Collada): not used"},
+        {EFFECT("profile_COMMON", BLEND("NONE")), NULL},
+        {EFFECT("profile_COMMON", BLEND("MULTIPLY")), NULL},
+        {EFFECT("profile_CG", ""), "materials that are programs alone (Collada): drawn plain"},
+        {COLLADA "<library_geometries>" TRIANGLE "</library_geometries>" SCENE(
+             "<extra><technique profile=\"FCOLLADA\"><visibility>0</visibility></technique></extra>"),
+         "hidden nodes: drawn"},
+        {COLLADA "<library_geometries>" TRIANGLE "</library_geometries>" SCENE(
+             "<extra><technique profile=\"FCOLLADA\"><visibility>1</visibility></technique></extra>"),
+         NULL},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        struct scene_model *const model = load_text("c.dae", cases[i].text);
+        if (model->unsupported_count != (cases[i].told != NULL) ||
+            (cases[i].told != NULL && !is_unsupported(model, cases[i].told))) {
+            fail_msg("%zu: %u lines", i, model->unsupported_count);
+        }
+        scene_model_free(model);
+    }
+}
+
 #define PLY_HEAD   "ply\nformat ascii 1.0\n"
 #define PLY_PLACE  "element vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
 #define PLY_COLORS "property uchar red\nproperty uchar green\nproperty uchar blue\n"
@@ -201,6 +275,11 @@ static void test_materials(void **state)
     "36}],\"buffers\":[{\"byteLength\":36,\"uri\":\"data:application/octet-stream;base64,"                  \
     "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA\"}]}"
 
+#define AC3D(lines)                                                                                         \
+    "AC3Db\nMATERIAL \"m\" rgb 1 1 1 amb 0 0 0 emis 0 0 0 spec 0 0 0 shi 0 trans 0\nOBJECT world\nkids 1\n" \
+    "OBJECT poly\nname \"p\"\n" lines "numvert 3\n0 0 0\n1 0 0\n0 1 0\nnumsurf 1\nSURF 0x20\nmat 0\n"       \
+    "refs 3\n0 0 0\n1 0 0\n2 0 0\nkids 0\n"
+
 // What other readers leave out.
 static void test_texts(void **state)
 {
@@ -232,6 +311,31 @@ static void test_texts(void **state)
          "5\n10\n0\n20\n0\n10\n2\n20\n0\n0\nENDSEC\n"
          "0\nEOF\n",
          "the width of polylines (DXF): drawn as lines"},
+        {"t.ply",
+         PLY_HEAD PLY_PLACE "property uint rgb\n" PLY_FACE "end_header\n0 0 0 9\n1 0 0 9\n0 1 0 9\n3 0 1 2\n",
+         "property \"rgb\" (PLY): not drawn"},
+        {"t.ply",
+         PLY_HEAD PLY_PLACE "property uchar Red\n" PLY_FACE
+                            "property float predicted\nend_header\n0 0 0 9\n1 0 0 9\n0 1 0 9\n3 0 1 2 5\n",
+         "property \"Red\" (PLY): not drawn"},
+        {"t.ply",
+         PLY_HEAD PLY_PLACE PLY_FACE
+         "property uchar face_color\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 5\n",
+         "property \"face_color\" (PLY): not drawn"},
+        {"t.stl",
+         "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nshine "
+         "2\n"
+         "endfacet\nendsolid a\n",
+         "\"shine\" has no meaning (STL): its lines are left out"},
+        {"t.nff", "f 1 0 0 1 0 0 0 1\np 3\n0 0 0\n1 0 0\n0 1 0\nk 1\n", "\"k\" has no meaning (NFF)"},
+        {"t.nff", "b 1 0 0\nf 1 0 0 1 0 0 0 1\np 3\n0 0 0\n1 0 0\n0 1 0\n# none\n",
+         "the background: not drawn"},
+        {"t.ac", AC3D("hidden\n"), "hidden objects: drawn"},
+        {"t.ac", AC3D("data 4\nhide\nshader a\n"),
+         "\"shader\" has no meaning (AC3D): its lines are left out"},
+        {"t.ac", AC3D("texture \"a.png\" base\ntexture \"b.png\" ormap\n"),
+         "textures above each other: the last alone is used"},
+        {"t.gltf", GLTF_TRIANGLE(",\"_COLOR\":0,\"COLOUR_0\":0"), "attribute \"COLOUR_0\": ignored"},
         {"t.gltf", GLTF_TRIANGLE(",\"COLOR_0\":0,\"COLOR_1\":0"),
          "a second set of vertex colours (COLOR_1): ignored"},
     };
@@ -319,6 +423,9 @@ static void test_words(void **state)
          COLLADA "<library_geometries>" TRIANGLE
                  "<geometry id=\"c\"><brep/></geometry></library_geometries>" SCENE(""),
          "boundary representations: not drawn"},
+        {"w.dae",
+         COLLADA "<library_geometries>" TRIANGLE "</library_geometries><!-- <convex_mesh -->" SCENE(""),
+         "convex meshes: not drawn"},
         {"w.dae", COLLADA "<library_geometries>" TRIANGLE "</library_geometries><!-- <nurbs -->" SCENE(""),
          "NURBS: not drawn"},
     };
@@ -446,6 +553,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_meshes_without_faces),
     cmocka_unit_test(test_log),
     cmocka_unit_test(test_textures),
+    cmocka_unit_test(test_collada),
     cmocka_unit_test(test_words),
     cmocka_unit_test(test_frames),
     cmocka_unit_test(test_cameras_and_lights),

@@ -259,22 +259,94 @@ static void test_told(void **state)
     static const char *const materials[][2] = {
         {"map_Ka other.tga\nmap_Kd rough.tga\n", "ambient textures"},
         {"map_Tr rough.tga\n", "textures of map_Tr (MTL)"},
+        {"map_Ks rough.tga\n", "specular textures"},
+        {"map_Ns rough.tga\n", "shininess textures"},
+        {"refl -type sphere rough.tga\n", "reflection textures"},
+        {"disp rough.tga\n", "displacement textures"},
+        {"decal rough.tga\n", "decal textures"},
         {"Kd spectral curve.rfl\n", "colours as \"spectral\""},
         {"d -halo 0.5\n", "d -halo"},
         {"Tf 1 0.5 0.5\n", "colours of transmitted light (Tf)"},
+        {"map_Kd -mm 0.25 1 rough.tga\n", "-mm of textures (MTL)"},
+        {"map_Kd -t 0.5 rough.tga\n", "-t of textures (MTL)"},
+        {"map_Kd -type sphere rough.tga\n", "-type of textures (MTL)"},
+        {"map_Kd -boost 2 rough.tga\n", "-boost of textures (MTL)"},
+        {"map_Kd -cc on rough.tga\n", "-cc of textures (MTL)"},
+        {"map_Kd -blendu off rough.tga\n", "-blendu of textures (MTL)"},
+        {"map_Kd -imfchan r rough.tga\n", "-imfchan of textures (MTL)"},
+        {"map_Pcr -imfchan b rough.tga\n", "-imfchan of textures (MTL)"},
+        {"map_Kd -colorspace linear rough.tga\n", "-colorspace of textures (MTL)"},
+        {"map_Pr -colorspace sRGB rough.tga\n", "-colorspace of textures (MTL)"},
+        {"Kz 1\n", "\"Kz\" has no meaning (MTL): its lines are left out"},
     };
     for (size_t i = 0; i < sizeof materials / sizeof materials[0]; i++) {
         struct scene_model *model = load_material(materials[i][0]);
-        assert_true(is_unsupported(model, materials[i][1]));
+        if (!is_unsupported(model, materials[i][1]) || model->unsupported_count > 2) {
+            fail_msg("%s: %u lines", materials[i][1], model->unsupported_count);
+        }
         scene_model_free(model);
     }
-    struct scene_model *model = load_material("Tf 1 1 1\nmap_aat on\nmap_Ka rough.tga\nmap_Kd rough.tga\n");
+    struct scene_model *model = load_material(
+        "Ka 1 1 1\nNi 1.5\nillum 2\nsharpness 60\nTf 1 1 1\nmap_aat on\n"
+        "map_Kd -mm 0 1 -t 0 0 0 -cc off -blendv on -texres 512 -clamp on -colorspace srgb rough.tga\n"
+        "map_Ka rough.tga\nmap_Pr -imfchan g -colorspace linear rough.tga\nbump -imfchan l rough.tga\n");
     assert_int_equal(model->unsupported_count, 0);
     scene_model_free(model);
-    model = load_text("t.obj", TRIANGLE "call other.obj\ncstype bezier\n#MRGB ffff8000\n");
-    assert_true(is_unsupported(model, "other files, which call names: not drawn"));
-    assert_true(is_unsupported(model, "free-form curves and surfaces: not drawn"));
-    assert_true(is_unsupported(model, "1 colours in comments (#MRGB): not drawn"));
+    static const char *const numbers[][2] = {
+        {"Kd red\n", "\"Kd red\" (MTL) is no number: left out"},
+        {"Ns\n", "\"Ns \" (MTL) is no number: left out"},
+        {"Ke nan 0 0\n", "\"Ke nan 0 0\" (MTL) is no number: left out"},
+    };
+    for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
+        model = load_material(numbers[i][0]);
+        assert_true(has_warning(model, numbers[i][1]));
+        scene_model_free(model);
+    }
+    write_text("m.mtl", "Kd 1 0 0\nnewmtl m\n");
+    model = load_text("m.obj", "mtllib m.mtl\n" TRIANGLE);
+    assert_true(is_unsupported(model, "what stands before the first newmtl (MTL): not used"));
+    scene_model_free(model);
+}
+
+// Statements that are not drawn are told, and words that mean nothing, each by its name and once; those beyond the
+// eighth share a line.
+static void test_statements(void **state)
+{
+    (void)state;
+    static const char *const statements[][2] = {
+        {"call other.obj", "other files, which call names: not drawn"},
+        {"csh ls", "commands (csh): not drawn"},
+        {"cstype bezier\nvp 1\ncurv 0 1 1 2\nend", "free-form curves and surfaces: not drawn"},
+        {"surf 0 1 0 1 1 2 3", "free-form curves and surfaces: not drawn"},
+        {"bzp 1 2 3", "free-form curves and surfaces: not drawn"},
+        {"usemap a", "texture maps (usemap): not drawn"},
+        {"shadow_obj a.obj", "other objects for shadows (shadow_obj): not drawn"},
+        {"trace_obj a.obj", "other objects for reflections (trace_obj): not drawn"},
+        {"d_interp on", "d_interp (OBJ): not used"},
+        {"lod 3", "lod (OBJ): not used"},
+        {"#MRGB ffff8000", "1 colours in comments (#MRGB): not drawn, as it has another number of vertices"},
+        {"vt 0 0 0.5", "texture coordinates of three numbers: the third is not used"},
+        {"vt 0 0 0.5 # third", "texture coordinates of three numbers: the third is not used"},
+        {"vc 1 0 0\nvc 0 1 0", "\"vc\" has no meaning (OBJ): its lines are left out"},
+    };
+    for (size_t i = 0; i < sizeof statements / sizeof statements[0]; i++) {
+        write_format("t.obj", TRIANGLE "%s\n", statements[i][0]);
+        struct scene_model *const model = load("t.obj");
+        if (!is_unsupported(model, statements[i][1]) || model->unsupported_count != 1) {
+            fail_msg("%s: %u lines", statements[i][0], model->unsupported_count);
+        }
+        scene_model_free(model);
+    }
+    struct scene_model *model = load_text("t.obj", "v 0 0 0 1 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nl 1\nl\n");
+    assert_true(has_warning(model, "two numbers behind a vertex, which OBJ gives no meaning, are ignored"));
+    assert_true(has_warning(model, "2 lines of fewer than two corners are left out"));
+    scene_model_free(model);
+    model = load_text("t.obj", TRIANGLE "vt 0 0 0\nmg 1 1\nbevel off\nc_interp off\nlod 0\ns off\n# \ng\n");
+    assert_int_equal(model->unsupported_count, 0);
+    scene_model_free(model);
+    model = load_text("t.obj", TRIANGLE "w1\nw2\nw3\nw4\nw5\nw6\nw7\nw8\nw9\nw10\nw1\nw9\n");
+    assert_true(is_unsupported(model, "more words without a meaning (OBJ): their lines are left out"));
+    assert_int_equal(model->unsupported_count, 9);
     scene_model_free(model);
 }
 
@@ -377,6 +449,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_cut),
     cmocka_unit_test(test_vertex_colors),
     cmocka_unit_test(test_told),
+    cmocka_unit_test(test_statements),
     cmocka_unit_test(test_folded_quads),
     cmocka_unit_test(test_many_materials),
     cmocka_unit_test(test_plain_lines),
