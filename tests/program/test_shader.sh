@@ -33,6 +33,9 @@ resources, by set and binding
          0  float[]      sink
 push constants, 4 bytes
          0  float        shift
+specialization constants
+  id 3       float  factor = 2
+  id 4       int    more = 0
 workgroup of 8x1x1, 0 bytes shared
 TEXT
 succeed shader double.comp
@@ -42,9 +45,56 @@ check "the table by name" cmp want "$folder/log/out"
 succeed shader --json double.comp
 check "JSON" grep -q '{"set": 0, "binding": 1, "kind": "storage buffer", "count": 1, "name": "Source", "read_only": true, "bytes": 0, "members": \[{"name": "source", "offset": 0, "type": "float\[\]"}\]}' \
     "$folder/log/out"
+check "constants in JSON" grep -q '"constants": \[{"id": 3, "type": "float", "default": 2, "name": "factor"}, {"id": 4, "type": "int", "default": 0, "name": "more"}\]' \
+    "$folder/log/out"
+cat >kinds.frag <<'GLSL'
+#extension GL_EXT_samplerless_texture_functions : enable
+layout(constant_id = 1) const bool sharp = true;
+layout(constant_id = 0) const uint most = 4000000000u;
+layout(location = 0) flat in uint number;
+layout(location = 1) flat in ivec3 three;
+layout(location = 0) out uvec4 color;
+layout(binding = 0) uniform sampler2DArrayShadow shadow;
+layout(binding = 1) uniform usamplerCube cube;
+layout(binding = 2, rgba16f) uniform image3D volume;
+layout(binding = 3, r32i) uniform iimageBuffer texels;
+layout(binding = 4) uniform samplerBuffer table;
+layout(binding = 5) uniform texture2DMS samples;
+layout(binding = 6) uniform sampler plain;
+
+void main()
+{
+    imageStore(volume, ivec3(0), texelFetch(table, 0) * texture(shadow, vec4(0)) + texelFetch(samples, ivec2(0), 0));
+    imageStore(texels, 0, ivec4(three, 0));
+    color = texture(cube, vec3(1)) + number + most;
+}
+GLSL
+cat >want.kinds <<'TEXT'
+kinds.frag: fragment shader main
+resources, by set and binding
+  0:0   sampled texture shadow, sampler2DArrayShadow
+  0:1   sampled texture cube, usamplerCube
+  0:2   storage image volume, image3D, rgba16f
+  0:3   texel buffer texels, iimageBuffer, r32i
+  0:4   texel buffer table, samplerBuffer
+  0:5   texture samples, texture2DMS
+specialization constants
+  id 0       uint   most = 4000000000
+  id 1       bool   sharp = true
+inputs
+  location 0  uint   number
+  location 1  ivec3  three
+outputs
+  location 0  uvec4  color
+TEXT
+succeed shader kinds.frag
+check "kinds of images, and numbers without sign" cmp want.kinds "$folder/log/out"
+succeed shader --json kinds.frag
+check "kinds in JSON" grep -q '"name": "volume", "image": "image3D", "format": "rgba16f", "read_only": false' "$folder/log/out"
 if command -v python3 >/dev/null 2>&1; then
     check "JSON of a shader" python3 -m json.tool "$folder/log/out" /dev/null
 fi
+refuse 2 "--run: draws colours, which are floats, and the first output" shader kinds.frag --run -o a.png
 
 # SPIR-V is written whole, and read again.
 succeed shader double.comp -o double.spv
@@ -83,6 +133,13 @@ check "groups, and a file read" test "$(cat "$folder/log/out")" = "4,0,0,0,0,0,0
 # What it draws: uniforms by their names, a texture, and a macro from a file that is included.
 mkdir library
 echo 'vec3 tone(vec3 c) { return c * TONE; }' >library/tone.glsl
+succeed shader double.comp -o given.spv --constant 3=3 --constant 4=10
+succeed shader given.spv --run --buffer 0:1=f32:1,2,3,4.5 --buffer 0:2=20 --result 0:2=f32
+check "constants that are written" test "$(cat "$folder/log/out")" = "13,16,19,23.5,10"
+succeed shader given.spv --run --buffer 0:1=f32:1 --buffer 0:2=4 --result 0:2=f32 --constant 4=0
+check "and may be chosen again" test "$(cat "$folder/log/out")" = 3
+succeed shader kinds.frag --print spirv --constant 1=false --constant 0=7
+check "constants that are printed" sh -c "grep -q '%sharp = OpSpecConstantFalse' '$folder/log/out' && grep -q '%most = OpSpecConstant %uint 7' '$folder/log/out'"
 cat >paint.frag <<'GLSL'
 #include "tone.glsl"
 layout(location = 0) in vec2 uv;
