@@ -72,8 +72,6 @@ struct cli_shader_file {
     char *entry_point;
     uint32_t *words;
     size_t size; ///< bytes
-    struct rhw_shader_constant constants[CLI_SHADER_LIST];
-    uint32_t constant_count;
     rhw_shader *shader;
 };
 

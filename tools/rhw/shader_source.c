@@ -164,7 +164,8 @@ static bool set_kind(struct cli_shader_file *file)
     return false;
 }
 
-// Give the constants of the command line to a module, each as what it is there.
+// Give the constants of the command line to a module, each as what it is there. They are its own from here on, also
+// where it is printed or written.
 static bool set_constants(struct cli_shader_file *file, struct cli_shader_job *job)
 {
     const struct cli_shader_words words = cli_shader_words_of(file->words, file->size);
@@ -172,32 +173,29 @@ static bool set_constants(struct cli_shader_file *file, struct cli_shader_job *j
         struct cli_shader_constant *const constant = &job->constants[i];
         const enum cli_shader_constant_kind kind = cli_shader_find_constant(&words, constant->id);
         const float number = (float)constant->number;
-        struct rhw_shader_constant value = {.id = constant->id};
+        uint32_t value = 0;
         if (kind == CLI_CONSTANT_ABSENT) {
             continue;
         }
         if (kind == CLI_CONSTANT_FLOAT) {
-            memcpy(&value.value, &number, sizeof number);
+            memcpy(&value, &number, sizeof number);
         } else if (constant->number != floor(constant->number) || constant->number < INT32_MIN ||
                    constant->number > UINT32_MAX) {
             cli_error("--constant", "'%s': constant %u of %s is a whole number of 32 bits",
                       constant->argument, (unsigned)constant->id, file->path);
             return false;
         } else {
-            value.value = (uint32_t)(int64_t)constant->number;
+            value = (uint32_t)(int64_t)constant->number;
         }
         constant->is_used = true;
-        file->constants[file->constant_count++] = value;
+        cli_shader_set_constant(&words, constant->id, value);
     }
     return true;
 }
 
 struct rhw_shader_def cli_shader_file_def(const struct cli_shader_file *file)
 {
-    return (struct rhw_shader_def){.stage = file->stage,
-                                   .entry_point = file->entry_point,
-                                   .constants = file->constants,
-                                   .constant_count = file->constant_count};
+    return (struct rhw_shader_def){.stage = file->stage, .entry_point = file->entry_point};
 }
 
 static bool translate(struct cli_shader_file *file, struct cli_shader_job *job)

@@ -49,7 +49,8 @@ static const struct cli_option options[] = {
     {"entry", OPTION_ENTRY, "NAME", "entry point; default main, or the first of a module"},
     {"define", OPTION_DEFINE, "MACRO", "define a macro of GLSL: NAME, or NAME=VALUE"},
     {"include", OPTION_INCLUDE, "DIR", "where #include looks, behind the folder of the file"},
-    {"constant", OPTION_CONSTANT, "CONSTANT", "value of a specialization constant: ID=NUMBER"},
+    {"constant", OPTION_CONSTANT, "CONSTANT",
+     "value of a specialization constant: ID=NUMBER; what is written has it, too"},
     {"relaxed", OPTION_RELAXED, NULL,
      "as OpenGL has it: uniforms outside of blocks make one, and what has no binding\nor location gets the "
      "next; "
