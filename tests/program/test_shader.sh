@@ -252,3 +252,10 @@ refuse 1 "endless.frag: " shader endless.frag --run --size 8 --max-time 0.2 -o a
 no_temporary_files
 
 finish
+refuse 1 "standard input: is not read: the name of a shader's file tells what it is; it ends with .vert" shader -
+refuse 1 "--result: 'Sinks=f32': no shader here uses such a buffer or storage image" shader double.spv --run --buffer 0:1=4 \
+    --buffer 0:2=4 --result Sinks=f32
+refuse 1 "none/sink.bin: cannot be written" shader double.spv --run --buffer 0:1=4 --buffer 0:2=4 --result Sink=none/sink.bin \
+    --result 0:2=f32
+refuse 2 "--result: 'Sink=f16': f16 is not f32, i32 or u32, and the name of a file has a point or a slash" shader double.spv \
+    --run --buffer 0:1=4 --buffer 0:2=4 --result Sink=f16

@@ -291,13 +291,46 @@ bool cli_shader_resources_open(struct cli_shader_resources *resources, rhw_conte
             }
             struct cli_shader_resource *const one = &resources->list[resources->count++];
             one->what = &info->resources[i];
+// Report a result that could not be given, before anything is computed.
+static bool check_result(const struct cli_shader_resources *resources,
+                         const struct cli_shader_resource *resource, const struct cli_shader_binding *asked)
+{
+    const size_t length = strlen(asked->value);
+    if (is_buffer(resource->what)) {
+        return cli_shader_values_are(asked->value) || cli_output_file_check(asked->value);
+    }
+    if (length < 5 || strcasecmp(asked->value + length - 4, ".png") != 0) {
+        cli_error("--result", "'%s': an image is written to a file named .png", asked->argument);
+        return false;
+    }
+    if (rhw_texture_format(resources->context, resource->texture) != RHW_FORMAT_RGBA8_UNORM) {
+        cli_error("--result", "'%s': only an image of 8 bits a channel is written", asked->argument);
+        return false;
+    }
+    return cli_output_file_check(asked->value);
+}
+
+static bool check_results(const struct cli_shader_resources *resources,
+                          const struct cli_shader_bindings *results)
+{
+    for (int i = 0; i < results->count; i++) {
+        for (int r = 0; r < resources->count; r++) {
+            if (cli_shader_binding_is(&results->list[i], resources->list[r].what) &&
+                !check_result(resources, &resources->list[r], &results->list[i])) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
             if (!open_resource(one, context, job)) {
                 return false;
             }
         }
     }
     if (!check_used(&job->buffers, "buffer") || !check_used(&job->textures, "texture") ||
-        !check_used(&job->results, "storage buffer or image") ||
+        !check_used(&job->results, "buffer or storage image") || !check_results(resources, &job->results) ||
         !open_push_constants(resources, job, files, count) || !open_sets(resources, program)) {
         return false;
     }
@@ -339,10 +372,6 @@ static void fill_row(const void *user, int y, void *row)
 bool cli_shader_write_picture(rhw_context *context, rhw_texture texture, int width, int height, int channels,
                               const char *path)
 {
-    if (rhw_texture_format(context, texture) != RHW_FORMAT_RGBA8_UNORM) {
-        cli_error(path, "only an image of 8 bits a channel is written");
-        return false;
-    }
     uint8_t *const texels = malloc(4 * (size_t)width * (size_t)height);
     if (!texels || rhw_texture_read(context, texture, 0, texels, 0) != RHW_OK) {
         cli_error(path, "out of memory");
@@ -376,11 +405,6 @@ static bool give(const struct cli_shader_resources *resources, const struct cli_
     if (is_buffer(resource->what)) {
         return cli_shader_values_print(asked->value, resource->memory, resource->size) ||
                cli_shader_write_bytes(asked->value, resource->memory, resource->size);
-    }
-    const size_t length = strlen(asked->value);
-    if (length < 5 || strcasecmp(asked->value + length - 4, ".png") != 0) {
-        cli_error("--result", "'%s': an image is written to a file named .png", asked->argument);
-        return false;
     }
     return cli_shader_write_picture(resources->context, resource->texture, resource->width, resource->height,
                                     4, asked->value);

@@ -165,6 +165,12 @@ static bool set_kind(struct cli_shader_file *file)
 }
 
 // Give the constants of the command line to a module, each as what it is there. They are its own from here on, also
+    if (strcmp(file->path, "-") == 0) {
+        cli_error("standard input",
+                  "is not read: the name of a shader's file tells what it is; it ends with .vert, "
+                  ".frag, .comp (GLSL) or .spv (SPIR-V)");
+        return false;
+    }
 // where it is printed or written.
 static bool set_constants(struct cli_shader_file *file, struct cli_shader_job *job)
 {

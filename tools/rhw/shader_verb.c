@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // rhw shader: what a shader is, what becomes of it, and what it computes.
 #include "shader_job.h"
+#include "shader_values.h"
 #include "verbs.h"
 
 #include <math.h>
@@ -186,6 +187,19 @@ static bool parse_groups(int groups[3], const char *argument)
     double numbers[3];
     int count;
     bool is_right = cli_parse_numbers(argument, 1, 3, numbers, &count);
+// A form that is misspelt is not to become the name of a file.
+static bool check_result(const struct cli_shader_job *job)
+{
+    const struct cli_shader_binding *const result = &job->results.list[job->results.count - 1];
+    if (cli_shader_values_are(result->value) || strpbrk(result->value, "./") ||
+        strcmp(result->value, "-") == 0) {
+        return true;
+    }
+    cli_error("--result", "'%s': %s is not f32, i32 or u32, and the name of a file has a point or a slash",
+              result->argument, result->value);
+    return false;
+}
+
     for (int i = 0; is_right && i < 3; i++) {
         const double number = i < count ? numbers[i] : 1;
         is_right = number >= 0 && number <= RHW_MAX_WORKGROUP_COUNT && number == floor(number);
@@ -223,7 +237,7 @@ static bool parse_run_option(struct cli_shader_job *job, int id, const char *arg
     case OPTION_GROUPS: return parse_groups(job->groups, argument);
     case OPTION_BUFFER: return parse_binding(&job->buffers, "--buffer", argument);
     case OPTION_PUSH: job->push = argument; return true;
-    case OPTION_RESULT: return parse_binding(&job->results, "--result", argument);
+    case OPTION_RESULT: return parse_binding(&job->results, "--result", argument) && check_result(job);
     case OPTION_THREADS:
         if (cli_parse_int(argument, 1, 64, &job->threads)) {
             return true;
