@@ -114,6 +114,15 @@ succeed shader --print bytecode double.comp
 check "bytecode" grep -Eq "^ +[0-9]+  end *$" "$folder/log/out"
 
 
+# What a file is made of, for make.
+printf '#define ONE 1.0\n' >'o n$e.glsl'
+printf '#include "o n$e.glsl"\nlayout(location = 0) out vec4 c;\nvoid main() { c = vec4(ONE); }\n' >one.frag
+for out in one.c one.spv; do
+    succeed shader one.frag -o $out --depfile $out.d
+    check "what $out is made of" test "$(cat $out.d)" = "$out: one.frag o\\ n\$\$e.glsl"
+done
+refuse 2 "--depfile: goes with -o OUT.spv or OUT.c alone" shader one.frag --depfile one.d
+
 # A program as C.
 succeed shader double.spv -o twice.c
 check "names of C" grep -q "^const struct rhw_compute_program twice_program" twice.c

@@ -47,6 +47,7 @@ struct cli_shader_job {
     const char *out; ///< NULL: none
     enum cli_shader_print print;
     bool is_strict, is_relaxed, has_step, is_before_passes, json, all_errors, runs;
+    const char *depfile; ///< NULL: none
     const char *entry_point; ///< NULL: "main", or the only one
     struct glsl_macro macros[CLI_SHADER_LIST];
     int macro_count;
@@ -75,6 +76,9 @@ struct cli_shader_file {
     rhw_shader *shader;
 };
 
+    bool is_relaxed; ///< the text is as OpenGL has it (glsl_options)
+    char *included;  ///< names of files, a line each; NULL: the file is no text
+    struct cli_shader_main_image main_image;
 extern const char *const cli_shader_stage_names[RHW_SHADER_STAGE_COUNT];
 
 // shader_source.c. Read, compile and translate a file. Report what is wrong, and warnings of the compiler. The file is
@@ -99,6 +103,10 @@ bool cli_shader_has_length(const struct rhw_shader_type *type);
 void cli_shader_print_json(const struct cli_shader_file *files, int count);
 
 /// Return whether an option is about a resource.
+// shader_depfile.c. Write a rule of make that says what a file was made of. Report failure.
+bool cli_shader_write_depfile(const char *path, const char *target, const struct cli_shader_file *files,
+                              int count);
+
 bool cli_shader_binding_is(const struct cli_shader_binding *binding,
                            const struct rhw_shader_resource *resource);
 

@@ -137,7 +137,10 @@ static bool compile(struct cli_shader_file *file, const char *text, size_t size,
     file->size = code.size;
     code.words = NULL;
     glsl_code_free(&code);
+    file->is_relaxed = code.is_relaxed;
+    file->included = code.files;
     return is_good;
+    code.files = NULL;
 }
 
 static bool has_ending(const char *path, const char *ending)
@@ -253,3 +256,5 @@ void cli_shader_file_close(struct cli_shader_file *file)
     free(file->words);
     *file = (struct cli_shader_file){0};
 }
+    free(file->included);
+    free(file->main_image.text);

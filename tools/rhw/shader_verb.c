@@ -21,6 +21,7 @@ enum {
     OPTION_ENTRY,
     OPTION_CONSTANT,
     OPTION_RELAXED,
+    OPTION_DEPFILE,
     OPTION_RUN, // those from here on belong to it
     OPTION_SIZE,
     OPTION_TIME,
@@ -53,9 +54,11 @@ static const struct cli_option options[] = {
     {"constant", OPTION_CONSTANT, "CONSTANT",
      "value of a specialization constant: ID=NUMBER; what is written has it, too"},
     {"relaxed", OPTION_RELAXED, NULL,
-     "as OpenGL has it: uniforms outside of blocks make one, and what has no binding\nor location gets the "
-     "next; "
-     "--run does so anyway"},
+     "take what is none for Vulkan as OpenGL has it: uniforms outside of blocks make one,\nwhat has no "
+     "binding or "
+     "location gets the next, and of two FILEs that of its name;\n--run does so anyway"},
+    {"depfile", OPTION_DEPFILE, "FILE",
+     "with --out, write a rule for make that names all files that OUT is made of"},
     {"run", OPTION_RUN, NULL,
      "draw with a fragment shader on all of a picture, or dispatch a compute shader"},
     {"size", OPTION_SIZE, "WxH", "pixels of the picture, or N for a square; default 512x512"},
@@ -270,6 +273,7 @@ static bool parse_option(struct cli_shader_job *job, int id, char *argument)
     case OPTION_RELAXED: job->is_relaxed = true; return true;
     case OPTION_ENTRY: job->entry_point = argument; return true;
     case OPTION_DEFINE: return parse_define(job, argument);
+    case OPTION_DEPFILE: job->depfile = argument; return true;
     case OPTION_INCLUDE:
         if (!has_room("--include", job->folder_count)) {
             return false;
@@ -305,6 +309,8 @@ static bool check_options(const struct cli_shader_job *job, int files, const cha
         cli_error("--after", "goes with --print ir alone");
     } else if (run_option && !job->runs) {
         char name[32];
+    } else if (job->depfile && (!job->out || job->runs)) {
+        cli_error("--depfile", "goes with -o OUT.spv or OUT.c alone");
         snprintf(name, sizeof name, "--%s", run_option);
         cli_error(name, "goes with --run alone");
     } else if (job->runs && (job->json || job->print != CLI_SHADER_NOTHING)) {
@@ -415,6 +421,7 @@ static bool work(struct cli_shader_job *job, struct cli_shader_file *files, int 
     }
     if (done && !job->runs && job->json) {
         cli_shader_print_json(files, count);
+    done = done && (!job->depfile || cli_shader_write_depfile(job->depfile, job->out, files, count));
     } else if (done && !job->runs && (job->print != CLI_SHADER_NOTHING || !job->out)) {
         job->print = job->print == CLI_SHADER_NOTHING ? CLI_SHADER_INFO : job->print;
         for (int i = 0; i < count && done; i++) {
@@ -450,7 +457,8 @@ int cli_shader(int argc, char **argv)
         !check_options(&job, parser.operand_count, run_option)) {
         return CLI_USAGE;
     }
-    if (job.out && !cli_output_file_check(job.out)) {
+    if ((job.out && !cli_output_file_check(job.out)) ||
+        (job.depfile && !cli_output_file_check(job.depfile))) {
         return CLI_FAILED;
     }
     cli_budget_apply(&job.budget, parser.operands[0]);
