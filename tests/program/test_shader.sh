@@ -133,6 +133,13 @@ succeed shader double.comp --run --buffer 0:1=f32:1,2,3,4.5 --buffer 0:2=20 --pu
 check "numbers" test "$(cat "$folder/log/out")" = "2.25,4.25,6.25,9.25,0.25"
 succeed shader double.spv --run --buffer 0:1=f32:1,2,3,4.5 --buffer 0:2=20 --result 0:2=f32 --constant 3=3 --constant 4=10
 check "constants" test "$(cat "$folder/log/out")" = "13,16,19,23.5,10"
+succeed shader double.comp -o given.spv --constant 3=3 --constant 4=10
+succeed shader given.spv --run --buffer 0:1=f32:1,2,3,4.5 --buffer 0:2=20 --result 0:2=f32
+check "constants that are written" test "$(cat "$folder/log/out")" = "13,16,19,23.5,10"
+succeed shader given.spv --run --buffer 0:1=f32:1 --buffer 0:2=4 --result 0:2=f32 --constant 4=0
+check "and may be chosen again" test "$(cat "$folder/log/out")" = 3
+succeed shader kinds.frag --print spirv --constant 1=false --constant 0=7
+check "constants that are printed" sh -c "grep -q '%sharp = OpSpecConstantFalse' '$folder/log/out' && grep -q '%most = OpSpecConstant %uint 7' '$folder/log/out'"
 succeed shader double.spv --run --buffer Source=f32:1 --buffer Sink=8 --result Sink=sink.bin --result 0:2=u32
 check "bits" test "$(cat "$folder/log/out")" = "1073741824,0"
 check "a file" test "$(od -A n -t f4 sink.bin | tr -d ' ')" = 20
@@ -142,13 +149,6 @@ check "groups, and a file read" test "$(cat "$folder/log/out")" = "4,0,0,0,0,0,0
 # What it draws: uniforms by their names, a texture, and a macro from a file that is included.
 mkdir library
 echo 'vec3 tone(vec3 c) { return c * TONE; }' >library/tone.glsl
-succeed shader double.comp -o given.spv --constant 3=3 --constant 4=10
-succeed shader given.spv --run --buffer 0:1=f32:1,2,3,4.5 --buffer 0:2=20 --result 0:2=f32
-check "constants that are written" test "$(cat "$folder/log/out")" = "13,16,19,23.5,10"
-succeed shader given.spv --run --buffer 0:1=f32:1 --buffer 0:2=4 --result 0:2=f32 --constant 4=0
-check "and may be chosen again" test "$(cat "$folder/log/out")" = 3
-succeed shader kinds.frag --print spirv --constant 1=false --constant 0=7
-check "constants that are printed" sh -c "grep -q '%sharp = OpSpecConstantFalse' '$folder/log/out' && grep -q '%most = OpSpecConstant %uint 7' '$folder/log/out'"
 cat >paint.frag <<'GLSL'
 #include "tone.glsl"
 layout(location = 0) in vec2 uv;
@@ -182,6 +182,55 @@ printf 'P6 1 1 255\n\377\000\000' >want.ppm
 succeed compare red.png want.ppm
 succeed shader red.vert red.frag
 check "both tables" test "$(grep -c '^red.*shader main$' "$folder/log/out")" = 2
+
+# Texts that are none for Vulkan: what they share goes by its name. green stands behind red in one and before it in the
+# other, and so do the textures; both have uniforms of their own and one together.
+cat >loose.vert <<'GLSL'
+uniform float iTime;
+uniform sampler2D picture;
+out float red;
+out float green;
+void main()
+{
+    gl_Position = vec4(gl_VertexIndex == 1 ? 3 : -1, gl_VertexIndex == 2 ? 3 : -1, 0, 1);
+    red = 0.25 * iTime;
+    green = textureLod(picture, vec2(0.5), 0.0).g;
+}
+GLSL
+cat >loose.frag <<'GLSL'
+uniform sampler2D other;
+uniform vec3 iResolution;
+uniform float iTime;
+in float green;
+in float red;
+out vec4 color;
+void main() { color = vec4(red * iTime, green, texture(other, vec2(0.5)).b * iResolution.x, 1.0); }
+GLSL
+printf 'P6 1 1 255\n\000\377\000' >green.ppm
+printf 'P6 1 1 255\n\000\000\377' >blue.ppm
+succeed shader loose.vert loose.frag --run --size 1 --time 2 --texture picture=green.ppm --texture other=blue.ppm -o loose.png
+printf 'P6 1 1 255\n\377\377\377' >want.ppm
+succeed compare loose.png want.ppm
+refuse 1 "loose.vert:1: 'non-opaque uniforms outside a block'" shader loose.vert loose.frag
+sed 's/in float red;/in float blue;/; s/red \*/blue */' loose.frag >blue.frag
+refuse 1 "blue.frag: the fragment shader reads 'blue', which the vertex shader does not write; what has no location goes by its name" \
+    shader loose.vert blue.frag --relaxed
+sed 's/uniform float iTime/uniform int iTime/' loose.frag >whole.frag
+refuse 1 "whole.frag: uniform 'iTime' is of another type in the other shader" shader loose.vert whole.frag --run -o a.png
+
+# mainImage, as ShaderToy has it: y points up.
+cat >toy.frag <<'GLSL'
+/* void main() */ uniform float iTime;
+void mainImage(out vec4 color, in vec2 at) // main(
+{
+    color = vec4(at.x < 0.5 * iResolution.x ? 1 : 0, at.y < 0.5 * iResolution.y ? 1 : 0, iTime, 0);
+}
+GLSL
+succeed shader toy.frag --run --size 2x2 --time 1 -o toy.png
+printf 'P6 2 2 255\n\377\000\377\000\000\377\377\377\377\000\377\377' >want.ppm
+succeed compare toy.png want.ppm
+sed 's/iTime, 0/iTimes, 0/' toy.frag >bad.frag
+refuse 1 "bad.frag:4: 'iTimes' : undeclared identifier" shader bad.frag --run -o a.png
 
 printf 'layout(location = 0) out vec4 c;\nvoid main() { c = vec4(1); }\n' >flat.frag
 
@@ -232,6 +281,13 @@ refuse 1 "--constant: '4=0.5': constant 4 of double.spv is a whole number" shade
 refuse 1 "--push: no shader here has push constants" shader red.spv --run --push u32:1 -o a.png
 refuse 1 "--buffer: '0:2=0': a buffer has 1 to" shader double.spv --run --buffer 0:1=4 --buffer 0:2=0 --result 0:2=f32
 refuse 1 "--buffer: '0:2=f32:1,x': number 2 is no f32" shader double.spv --run --buffer 0:1=4 --buffer 0:2=f32:1,x --result 0:2=f32
+refuse 1 "standard input: is not read: the name of a shader's file tells what it is; it ends with .vert" shader -
+refuse 1 "--result: 'Sinks=f32': no shader here uses such a buffer or storage image" shader double.spv --run --buffer 0:1=4 \
+    --buffer 0:2=4 --result Sinks=f32
+refuse 1 "none/sink.bin: cannot be written" shader double.spv --run --buffer 0:1=4 --buffer 0:2=4 --result Sink=none/sink.bin \
+    --result 0:2=f32
+refuse 2 "--result: 'Sink=f16': f16 is not f32, i32 or u32, and the name of a file has a point or a slash" shader double.spv \
+    --run --buffer 0:1=4 --buffer 0:2=4 --result Sink=f16
 refuse 1 "wrong.txt: a shader's file is named .vert, .frag, .comp \(GLSL\) or .spv" shader wrong.txt
 refuse 1 "'2' cannot be defined: a macro's name has letters" shader red.frag -D 2
 
@@ -261,10 +317,3 @@ refuse 1 "endless.frag: " shader endless.frag --run --size 8 --max-time 0.2 -o a
 no_temporary_files
 
 finish
-refuse 1 "standard input: is not read: the name of a shader's file tells what it is; it ends with .vert" shader -
-refuse 1 "--result: 'Sinks=f32': no shader here uses such a buffer or storage image" shader double.spv --run --buffer 0:1=4 \
-    --buffer 0:2=4 --result Sinks=f32
-refuse 1 "none/sink.bin: cannot be written" shader double.spv --run --buffer 0:1=4 --buffer 0:2=4 --result Sink=none/sink.bin \
-    --result 0:2=f32
-refuse 2 "--result: 'Sink=f16': f16 is not f32, i32 or u32, and the name of a file has a point or a slash" shader double.spv \
-    --run --buffer 0:1=4 --buffer 0:2=4 --result Sink=f16

@@ -47,6 +47,19 @@ static bool check_used(const struct cli_shader_bindings *bindings, const char *k
     return true;
 }
 
+// Find what a shader has at the set and binding of a resource.
+static const struct rhw_shader_resource *find_resource(const struct cli_shader_file *file,
+                                                       const struct rhw_shader_resource *what)
+{
+    const struct rhw_shader_info *const info = rhw_shader_get_info(file->shader);
+    for (uint32_t i = 0; i < info->resource_count; i++) {
+        if (info->resources[i].set == what->set && info->resources[i].binding == what->binding) {
+            return &info->resources[i];
+        }
+    }
+    return NULL;
+}
+
 // Buffers --------------------------------------------------------------------------------------------
 
 // Set a member that the program knows by its name.
@@ -82,7 +95,20 @@ static void set_members(const struct rhw_shader_type *type, const struct cli_sha
     }
 }
 
-static bool open_buffer(struct cli_shader_resource *resource, struct cli_shader_job *job)
+// A binding of two shaders may have more members in one of them.
+static uint32_t largest_size(const struct cli_shader_file *files, int count,
+                             const struct rhw_shader_resource *what)
+{
+    uint32_t size = what->size;
+    for (int i = 0; i < count; i++) {
+        const struct rhw_shader_resource *const other = find_resource(&files[i], what);
+        size = other && other->size > size ? other->size : size;
+    }
+    return size;
+}
+
+static bool open_buffer(struct cli_shader_resource *resource, struct cli_shader_job *job,
+                        const struct cli_shader_file *files, int count)
 {
     const struct rhw_shader_resource *const what = resource->what;
     const struct cli_shader_binding *const given = find_binding(&job->buffers, what);
@@ -96,13 +122,16 @@ static bool open_buffer(struct cli_shader_resource *resource, struct cli_shader_
                   (unsigned)what->set, (unsigned)what->binding, (unsigned)what->set, (unsigned)what->binding);
         return false;
     }
-    resource->size = what->size;
+    resource->size = largest_size(files, count, what);
     resource->memory = calloc(1, resource->size + 4);
     if (!resource->memory) {
         cli_error("--run", "out of memory");
         return false;
     }
-    set_members(what->type, job, resource->memory, resource->size);
+    for (int i = 0; i < count; i++) {
+        const struct rhw_shader_resource *const one = find_resource(&files[i], what);
+        set_members(one ? one->type : NULL, job, resource->memory, resource->size);
+    }
     return true;
 }
 
@@ -197,11 +226,11 @@ static bool is_buffer(const struct rhw_shader_resource *what)
 }
 
 static bool open_resource(struct cli_shader_resource *resource, rhw_context *context,
-                          struct cli_shader_job *job)
+                          struct cli_shader_job *job, const struct cli_shader_file *files, int count)
 {
     switch (resource->what->kind) {
     case RHW_SHADER_UNIFORM_BUFFER:
-    case RHW_SHADER_STORAGE_BUFFER: return open_buffer(resource, job);
+    case RHW_SHADER_STORAGE_BUFFER: return open_buffer(resource, job, files, count);
     case RHW_SHADER_SAMPLED_TEXTURE:
     case RHW_SHADER_TEXTURE:
     case RHW_SHADER_STORAGE_IMAGE: return open_image(resource, context, job);
@@ -262,35 +291,6 @@ static bool open_sets(struct cli_shader_resources *resources, const rhw_shader_p
     return is_right;
 }
 
-static bool is_listed(const struct cli_shader_resources *resources, const struct rhw_shader_resource *what)
-{
-    for (int i = 0; i < resources->count; i++) {
-        const struct rhw_shader_resource *const other = resources->list[i].what;
-        if (other->set == what->set && other->binding == what->binding) {
-            return true;
-        }
-    }
-    return false;
-}
-
-bool cli_shader_resources_open(struct cli_shader_resources *resources, rhw_context *context,
-                               struct cli_shader_job *job, const struct cli_shader_file *files, int count,
-                               const rhw_shader_program *program)
-{
-    *resources = (struct cli_shader_resources){.context = context};
-    resources->list = calloc((size_t)count * RHW_SHADER_MAX_RESOURCES, sizeof *resources->list);
-    if (!resources->list) {
-        cli_error("--run", "out of memory");
-        return false;
-    }
-    for (int f = 0; f < count; f++) {
-        const struct rhw_shader_info *const info = rhw_shader_get_info(files[f].shader);
-        for (uint32_t i = 0; i < info->resource_count; i++) {
-            if (is_listed(resources, &info->resources[i])) {
-                continue;
-            }
-            struct cli_shader_resource *const one = &resources->list[resources->count++];
-            one->what = &info->resources[i];
 // Report a result that could not be given, before anything is computed.
 static bool check_result(const struct cli_shader_resources *resources,
                          const struct cli_shader_resource *resource, const struct cli_shader_binding *asked)
@@ -324,7 +324,36 @@ static bool check_results(const struct cli_shader_resources *resources,
     return true;
 }
 
-            if (!open_resource(one, context, job)) {
+static bool is_listed(const struct cli_shader_resources *resources, const struct rhw_shader_resource *what)
+{
+    for (int i = 0; i < resources->count; i++) {
+        const struct rhw_shader_resource *const other = resources->list[i].what;
+        if (other->set == what->set && other->binding == what->binding) {
+            return true;
+        }
+    }
+    return false;
+}
+
+bool cli_shader_resources_open(struct cli_shader_resources *resources, rhw_context *context,
+                               struct cli_shader_job *job, const struct cli_shader_file *files, int count,
+                               const rhw_shader_program *program)
+{
+    *resources = (struct cli_shader_resources){.context = context};
+    resources->list = calloc((size_t)count * RHW_SHADER_MAX_RESOURCES, sizeof *resources->list);
+    if (!resources->list) {
+        cli_error("--run", "out of memory");
+        return false;
+    }
+    for (int f = 0; f < count; f++) {
+        const struct rhw_shader_info *const info = rhw_shader_get_info(files[f].shader);
+        for (uint32_t i = 0; i < info->resource_count; i++) {
+            if (is_listed(resources, &info->resources[i])) {
+                continue;
+            }
+            struct cli_shader_resource *const one = &resources->list[resources->count++];
+            one->what = &info->resources[i];
+            if (!open_resource(one, context, job, files, count)) {
                 return false;
             }
         }

@@ -92,6 +92,8 @@ static const char notes[] =
     "  vec3 iResolution   pixels of the picture, and 1\n"
     "  float iTime        seconds, as of --time\n"
     "  vec4 iMouse        pixels, as of --mouse\n"
+    "A text with mainImage() in place of main(), as ShaderToy has it, has these, iFrame and iChannel0 to "
+    "iChannel3.\n"
     "What no option gives is 0. A vertex shader that is run draws one triangle without attributes.\n"
     "Textures repeat and are filtered linearly. The picture has the numbers of the first output, clamped to "
     "0..1.\n\n"
@@ -185,11 +187,6 @@ static bool parse_binding(struct cli_shader_bindings *bindings, const char *opti
     return true;
 }
 
-static bool parse_groups(int groups[3], const char *argument)
-{
-    double numbers[3];
-    int count;
-    bool is_right = cli_parse_numbers(argument, 1, 3, numbers, &count);
 // A form that is misspelt is not to become the name of a file.
 static bool check_result(const struct cli_shader_job *job)
 {
@@ -203,6 +200,11 @@ static bool check_result(const struct cli_shader_job *job)
     return false;
 }
 
+static bool parse_groups(int groups[3], const char *argument)
+{
+    double numbers[3];
+    int count;
+    bool is_right = cli_parse_numbers(argument, 1, 3, numbers, &count);
     for (int i = 0; is_right && i < 3; i++) {
         const double number = i < count ? numbers[i] : 1;
         is_right = number >= 0 && number <= RHW_MAX_WORKGROUP_COUNT && number == floor(number);
@@ -271,9 +273,9 @@ static bool parse_option(struct cli_shader_job *job, int id, char *argument)
     case OPTION_ALL_ERRORS: job->all_errors = true; return true;
     case OPTION_STRICT: job->is_strict = true; return true;
     case OPTION_RELAXED: job->is_relaxed = true; return true;
+    case OPTION_DEPFILE: job->depfile = argument; return true;
     case OPTION_ENTRY: job->entry_point = argument; return true;
     case OPTION_DEFINE: return parse_define(job, argument);
-    case OPTION_DEPFILE: job->depfile = argument; return true;
     case OPTION_INCLUDE:
         if (!has_room("--include", job->folder_count)) {
             return false;
@@ -307,10 +309,10 @@ static bool check_options(const struct cli_shader_job *job, int files, const cha
         cli_error("--json", "goes with --print info alone");
     } else if (job->has_step && job->print != CLI_SHADER_FORM) {
         cli_error("--after", "goes with --print ir alone");
-    } else if (run_option && !job->runs) {
-        char name[32];
     } else if (job->depfile && (!job->out || job->runs)) {
         cli_error("--depfile", "goes with -o OUT.spv or OUT.c alone");
+    } else if (run_option && !job->runs) {
+        char name[32];
         snprintf(name, sizeof name, "--%s", run_option);
         cli_error(name, "goes with --run alone");
     } else if (job->runs && (job->json || job->print != CLI_SHADER_NOTHING)) {
@@ -419,9 +421,9 @@ static bool work(struct cli_shader_job *job, struct cli_shader_file *files, int 
     } else if (done && job->out) {
         done = cli_shader_write_bytes(job->out, files[0].words, files[0].size);
     }
+    done = done && (!job->depfile || cli_shader_write_depfile(job->depfile, job->out, files, count));
     if (done && !job->runs && job->json) {
         cli_shader_print_json(files, count);
-    done = done && (!job->depfile || cli_shader_write_depfile(job->depfile, job->out, files, count));
     } else if (done && !job->runs && (job->print != CLI_SHADER_NOTHING || !job->out)) {
         job->print = job->print == CLI_SHADER_NOTHING ? CLI_SHADER_INFO : job->print;
         for (int i = 0; i < count && done; i++) {
@@ -467,6 +469,10 @@ int cli_shader(int argc, char **argv)
     while (done && count < parser.operand_count) {
         done = cli_shader_file_open(&files[count], parser.operands[count], &job);
         count++;
+    }
+    done = done && cli_shader_match(files, count);
+    for (int i = 0; i < count && done; i++) {
+        done = cli_shader_file_translate(&files[i], &job);
     }
     const bool is_usage = done && job.runs && !cli_shader_check_run(&job, files, count);
     done = done && !is_usage && work(&job, files, count);
