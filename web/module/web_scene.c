@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A model that JavaScript holds, and the pictures of it: rhw render, explain and info without files.
 #include "explain_draw.h"
+#include "fragment_program.h"
 #include "import/blob.h"
 #include "info_print.h"
 #include "message.h"
@@ -15,13 +16,29 @@ struct web_scene {
     struct render render;
     void *bytes; // the model stands on them
     char *name;
+    void *words; // SPIR-V of the shader that shades instead of materials; NULL: none
+    size_t words_size;
     double view[WEB_VIEW_NUMBERS];
 };
+
+// Take a shader away. Pipelines of it go with what is drawn.
+static void drop_shader(struct web_scene *scene)
+{
+    struct render *const render = &scene->render;
+    scene_destroy(render->scene);
+    rhw_shader_program_destroy(render->shader);
+    free(scene->words);
+    render->scene = NULL;
+    render->shader = NULL;
+    render->program = NULL;
+    scene->words = NULL;
+    scene->words_size = 0;
+}
 
 EMSCRIPTEN_KEEPALIVE void web_scene_close(struct web_scene *scene)
 {
     scene_pictures_free(&scene->render.pictures);
-    scene_destroy(scene->render.scene);
+    drop_shader(scene);
     rhw_context_destroy(scene->render.context);
     web_free(scene->bytes);
     free(scene->name);
@@ -85,6 +102,47 @@ static bool goes_on(void *user)
 static bool open_scene(struct web_scene *scene)
 {
     return scene->render.scene || cli_render_open_scene(&scene->render);
+}
+
+// Make the program of a shader. Return NULL after a message.
+static rhw_shader_program *create_program(const void *words, size_t size)
+{
+    static const char name[] = "fragmentShader";
+    const struct rhw_shader_def def = {.stage = RHW_SHADER_FRAGMENT};
+    char message[RHW_SHADER_MESSAGE];
+    rhw_shader *shader;
+    if (rhw_shader_create(words, size, &def, &shader, message) != RHW_OK) {
+        cli_error(name, "%s", message);
+        return NULL;
+    }
+    rhw_shader_program *const program = cli_fragment_program_create(name, shader, false);
+    rhw_shader_destroy(shader);
+    return program;
+}
+
+EMSCRIPTEN_KEEPALIVE bool web_scene_shade(struct web_scene *scene, const void *words, size_t size)
+{
+    web_messages_clear();
+    if (size == scene->words_size && (size == 0 || memcmp(words, scene->words, size) == 0)) {
+        return true;
+    }
+    drop_shader(scene);
+    if (size == 0) {
+        return true;
+    }
+    scene->render.shader = create_program(words, size);
+    scene->words = scene->render.shader ? malloc(size) : NULL;
+    if (!scene->words) {
+        if (scene->render.shader) {
+            cli_error("fragmentShader", "out of memory");
+        }
+        drop_shader(scene);
+        return false;
+    }
+    memcpy(scene->words, words, size);
+    scene->words_size = size;
+    scene->render.program = rhw_shader_program_get(scene->render.shader);
+    return true;
 }
 
 EMSCRIPTEN_KEEPALIVE bool web_scene_look(struct web_scene *scene, char *words, size_t size)
@@ -163,6 +221,7 @@ EMSCRIPTEN_KEEPALIVE bool web_scene_explain(struct web_scene *scene, char *words
         return false;
     }
     scene->render.view.outputs = SCENE_OUTPUT_COLOR;
+    scene->render.view.program = NULL; // materials are explained
     if (!open_scene(scene) || !cli_explain_draw(&scene->render, x, y, sample, &history, &explanation)) {
         return false;
     }
