@@ -30,7 +30,6 @@ static void drop_shader(struct web_scene *scene)
     free(scene->words);
     render->scene = NULL;
     render->shader = NULL;
-    render->program = NULL;
     scene->words = NULL;
     scene->words_size = 0;
 }
@@ -99,9 +98,21 @@ static bool goes_on(void *user)
     return ask_whether_it_goes_on() != 0;
 }
 
+// The context stays for good: its threads have all workers that there are.
 static bool open_scene(struct web_scene *scene)
 {
-    return scene->render.scene || cli_render_open_scene(&scene->render);
+    struct render *const render = &scene->render;
+    if (render->scene) {
+        return true;
+    }
+    if (!render->context) {
+        return cli_render_open_scene(render);
+    }
+    const enum rhw_result result = scene_create(render->context, render->model, &render->scene);
+    if (result != RHW_OK) {
+        cli_error(render->job.model_path, "%s", rhw_result_string(result));
+    }
+    return result == RHW_OK;
 }
 
 // Make the program of a shader. Return NULL after a message.
@@ -141,7 +152,6 @@ EMSCRIPTEN_KEEPALIVE bool web_scene_shade(struct web_scene *scene, const void *w
     }
     memcpy(scene->words, words, size);
     scene->words_size = size;
-    scene->render.program = rhw_shader_program_get(scene->render.shader);
     return true;
 }
 
@@ -156,6 +166,8 @@ EMSCRIPTEN_KEEPALIVE bool web_scene_render(struct web_scene *scene, char *words,
     if (!look(scene, words, size)) {
         return false;
     }
+    // The words ask for every output, some of which a shader does not have.
+    scene->render.view.program = scene->render.shader ? rhw_shader_program_get(scene->render.shader) : NULL;
     scene->render.view.outputs = outputs;
     scene->render.view.goes_on = goes_on;
     char error[256];
@@ -221,7 +233,6 @@ EMSCRIPTEN_KEEPALIVE bool web_scene_explain(struct web_scene *scene, char *words
         return false;
     }
     scene->render.view.outputs = SCENE_OUTPUT_COLOR;
-    scene->render.view.program = NULL; // materials are explained
     if (!open_scene(scene) || !cli_explain_draw(&scene->render, x, y, sample, &history, &explanation)) {
         return false;
     }
