@@ -6,6 +6,7 @@
 #include <cstring>
 #include <memory>
 #include <new>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -43,7 +44,7 @@ namespace {
 // Asks the caller for what a text includes.
 class Includer : public glslang::TShader::Includer {
   public:
-    explicit Includer(const glsl_options &given) : options(given)
+    Includer(const glsl_options &given, std::set<std::string> &found) : options(given), files(found)
     {
     }
 
@@ -93,10 +94,12 @@ class Includer : public glslang::TShader::Includer {
         }
         const std::string name = request.name;
         std::free(request.name);
+        files.insert(name);
         return new IncludeResult(name, request.text, request.size, request.text);
     }
 
     const glsl_options &options;
+    std::set<std::string> &files; // names of what was included
     std::string failed, message;
 };
 
@@ -107,9 +110,16 @@ EShLanguage language_of(rhw_shader_stage stage)
                                           : EShLangCompute;
 }
 
-// Parse, link and generate. Return whether there is code; `log` gets what glslang says.
+// What becomes of a text.
+struct Translation {
+    std::vector<unsigned> words;
+    std::string log; // what glslang says
+    std::set<std::string> files;
+};
+
+// Parse, link and generate. Return whether there is code.
 bool translate(EShLanguage stage, const char *text, int size, const char *name, const char *preamble,
-               const glsl_options &options, std::vector<unsigned> &words, std::string &log)
+               const glsl_options &options, bool is_relaxed, Translation &made)
 {
     const EShMessages messages =
         static_cast<EShMessages>(EShMsgSpvRules | EShMsgVulkanRules | EShMsgCascadingErrors |
@@ -120,22 +130,23 @@ bool translate(EShLanguage stage, const char *text, int size, const char *name, 
     shader.setEnvInput(glslang::EShSourceGlsl, stage, glslang::EShClientVulkan, 100);
     shader.setEnvClient(glslang::EShClientVulkan, glslang::EShTargetVulkan_1_1);
     shader.setEnvTarget(glslang::EShTargetSpv, glslang::EShTargetSpv_1_3);
-    if (options.is_relaxed) {
+    if (is_relaxed) {
         shader.setEnvInputVulkanRulesRelaxed();
         shader.setAutoMapBindings(true);
         shader.setAutoMapLocations(true);
     }
-    Includer includer(options);
+    made = Translation();
+    Includer includer(options, made.files);
     const bool parsed =
         shader.parse(GetDefaultResources(), 450, ECoreProfile, false, false, messages, includer);
-    log = shader.getInfoLog();
+    made.log = shader.getInfoLog();
     if (!parsed) {
         return false;
     }
     glslang::TProgram program;
     program.addShader(&shader);
-    const bool linked = program.link(messages) && (!options.is_relaxed || program.mapIO());
-    log += program.getInfoLog();
+    const bool linked = program.link(messages) && (!is_relaxed || program.mapIO());
+    made.log += program.getInfoLog();
     const glslang::TIntermediate *const intermediate = program.getIntermediate(stage);
     if (!linked || intermediate == nullptr) {
         return false;
@@ -144,9 +155,9 @@ bool translate(EShLanguage stage, const char *text, int size, const char *name, 
     glslang::SpvOptions spirv;
     spirv.disableOptimizer = true;
     spirv.generateDebugInfo = options.has_lines;
-    glslang::GlslangToSpv(*intermediate, words, &logger, &spirv);
-    log += logger.getAllMessages();
-    return !words.empty();
+    glslang::GlslangToSpv(*intermediate, made.words, &logger, &spirv);
+    made.log += logger.getAllMessages();
+    return !made.words.empty();
 }
 
 // glslang's own tables, which every thread and child shares. Those of functions are made for the first text.
@@ -156,16 +167,25 @@ class Process {
     {
         glslang::InitializeProcess();
         const glsl_options nothing = {};
-        std::vector<unsigned> words;
-        std::string log;
+        Translation translation;
         const char text[] = "void main() {}";
-        translate(EShLangFragment, text, sizeof text - 1, "", "", nothing, words, log);
+        translate(EShLangFragment, text, sizeof text - 1, "", "", nothing, false, translation);
     }
     ~Process()
     {
         glslang::FinalizeProcess();
     }
 };
+
+// Return names by malloc, a line each. NULL: memory is out.
+char *lines_of(const std::set<std::string> &names)
+{
+    std::string lines;
+    for (const std::string &name : names) {
+        lines += name + '\n';
+    }
+    return strdup(lines.c_str());
+}
 
 bool out_of_memory(const char *name, char *message, size_t message_size)
 {
@@ -206,24 +226,30 @@ try {
     if (!preamble) {
         return out_of_memory(name, message, message_size);
     }
-    std::vector<unsigned> words;
-    std::string log;
-    const bool made = translate(language_of(stage), text, static_cast<int>(size), name, preamble.get(),
-                                *options, words, log);
-    code->log = glsl_log_lines(log.c_str(), name);
-    if (code->log == nullptr) {
+    Translation translation;
+    const EShLanguage language = language_of(stage);
+    const int length = static_cast<int>(size);
+    bool made = translate(language, text, length, name, preamble.get(), *options, false, translation);
+    if (!made && options->is_relaxed) {
+        made = translate(language, text, length, name, preamble.get(), *options, true, translation);
+        code->is_relaxed = made;
+    }
+    code->log = glsl_log_lines(translation.log.c_str(), name);
+    code->files = lines_of(translation.files);
+    if (code->log == nullptr || code->files == nullptr) {
         return out_of_memory(name, message, message_size);
     }
     if (!made) {
         glsl_log_first(code->log, message, message_size);
         return false;
     }
-    code->words = static_cast<uint32_t *>(std::malloc(words.size() * sizeof(uint32_t)));
+    code->size = translation.words.size() * sizeof(uint32_t);
+    code->words = static_cast<uint32_t *>(std::malloc(code->size));
     if (code->words == nullptr) {
+        code->size = 0;
         return out_of_memory(name, message, message_size);
     }
-    std::memcpy(code->words, words.data(), words.size() * sizeof(uint32_t));
-    code->size = words.size() * sizeof(uint32_t);
+    std::memcpy(code->words, translation.words.data(), code->size);
     return true;
 } catch (const std::bad_alloc &) {
     return out_of_memory(name, message, message_size);
@@ -233,5 +259,6 @@ void glsl_code_free(struct glsl_code *code)
 {
     std::free(code->words);
     std::free(code->log);
+    std::free(code->files);
     *code = glsl_code{};
 }

@@ -43,11 +43,14 @@ struct glsl_options {
     /// process that compiles, so what it changes is lost. NULL: a text that includes is refused.
     const char *(*include)(void *user, struct glsl_include *include);
     void *user;
-    /// Uniforms that are in no block, as OpenGL has them, go to a block `gl_DefaultUniformBlock` of set 0, and what
-    /// has no binding or location gets the next free one.
+    /// A text that is none for Vulkan is taken as OpenGL has it: uniforms that are in no block go to a block
+    /// `gl_DefaultUniformBlock` of set 0, and what has no binding or location gets the next free one. glsl_place and
+    /// glsl_match put things where their names belong.
     bool is_relaxed;
     /// The code knows its text and the lines that instructions come from, for rhw_shader_print.
     bool has_lines;
+    const char
+        *before; ///< GLSL that stands before the first line of the text, and is no line of it; NULL: none
 };
 
 /// A compiled text.
@@ -55,6 +58,8 @@ struct glsl_code {
     uint32_t *words; ///< NULL: there was an error
     size_t size;     ///< bytes
     char *log;       ///< errors and then warnings, a line each; "" if there is none
+    char *files;     ///< names of the files that were included, a line each
+    bool is_relaxed; ///< it is as OpenGL has it, because it is none for Vulkan
 };
 
 /// Return whether this build can compile.

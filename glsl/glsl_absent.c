@@ -34,5 +34,6 @@ char *glsl_disassemble(const uint32_t *words, size_t size, char *message, size_t
 void glsl_code_free(struct glsl_code *code)
 {
     free(code->log);
+    free(code->files);
     *code = (struct glsl_code){0};
 }

@@ -21,9 +21,17 @@ struct order {
 };
 
 struct head {
-    size_t code_size, log_size;
+    size_t code_size, log_size, files_size;
+    bool is_relaxed;
     char message[MESSAGE];
 };
+
+static void give(const void *bytes, size_t size, const struct system_child *child)
+{
+    if (size > 0) {
+        fwrite(bytes, 1, size, child->reply);
+    }
+}
 
 static int run(void *user, struct system_child *child)
 {
@@ -34,13 +42,12 @@ static int run(void *user, struct system_child *child)
                       head.message, sizeof head.message);
     head.code_size = code.size;
     head.log_size = code.log != NULL ? strlen(code.log) : 0;
+    head.files_size = code.files != NULL ? strlen(code.files) : 0;
+    head.is_relaxed = code.is_relaxed;
     fwrite(&head, sizeof head, 1, child->reply);
-    if (head.code_size > 0) {
-        fwrite(code.words, 1, head.code_size, child->reply);
-    }
-    if (head.log_size > 0) {
-        fwrite(code.log, 1, head.log_size, child->reply);
-    }
+    give(code.words, head.code_size, child);
+    give(code.log, head.log_size, child);
+    give(code.files, head.files_size, child);
     glsl_code_free(&code);
     return 0;
 }
@@ -56,27 +63,38 @@ static size_t memory_limit(void)
     return share > 0 && share < most ? share : most;
 }
 
+// Take bytes, with a 0 behind them. Return NULL if they are not there.
+static char *take_bytes(FILE *reply, size_t size)
+{
+    char *const bytes = malloc(size + 1);
+    if (bytes != NULL && fread(bytes, 1, size, reply) != size) {
+        free(bytes);
+        return NULL;
+    }
+    if (bytes != NULL) {
+        bytes[size] = 0;
+    }
+    return bytes;
+}
+
 // Take what the child has sent. Return false if it is not whole.
 static bool take(FILE *reply, struct glsl_code *code, struct head *head)
 {
     rewind(reply);
     if (fread(head, sizeof *head, 1, reply) != 1 || head->code_size > GLSL_MAX_CODE_SIZE ||
-        head->log_size > GLSL_MAX_CODE_SIZE) {
+        head->log_size > GLSL_MAX_CODE_SIZE || head->files_size > GLSL_MAX_CODE_SIZE) {
         return false;
     }
     head->message[MESSAGE - 1] = 0;
-    code->words = head->code_size > 0 ? malloc(head->code_size) : NULL;
-    code->log = malloc(head->log_size + 1);
+    code->words = head->code_size > 0 ? (uint32_t *)(void *)take_bytes(reply, head->code_size) : NULL;
     code->size = head->code_size;
-    if ((code->words == NULL && head->code_size > 0) || code->log == NULL) {
+    code->is_relaxed = head->is_relaxed;
+    if (code->words == NULL && head->code_size > 0) {
         return false;
     }
-    if ((head->code_size > 0 && fread(code->words, 1, head->code_size, reply) != head->code_size) ||
-        fread(code->log, 1, head->log_size, reply) != head->log_size) {
-        return false;
-    }
-    code->log[head->log_size] = 0;
-    return true;
+    code->log = take_bytes(reply, head->log_size);
+    code->files = take_bytes(reply, head->files_size);
+    return code->log != NULL && code->files != NULL;
 }
 
 static void tell_end(const struct system_child_result *result, const char *name, char *message,

@@ -51,6 +51,8 @@ char *glsl_macros_print(const struct glsl_options *options)
         const char *const value = options->macros[i].value;
         size += strlen("#define  \n") + strlen(options->macros[i].name) + (value != NULL ? strlen(value) : 0);
     }
+    const char *const before = options->before != NULL ? options->before : "";
+    size += strlen(before) + 1;
     char *const text = malloc(size);
     if (text == NULL) {
         return NULL;
@@ -61,5 +63,6 @@ char *glsl_macros_print(const struct glsl_options *options)
         length += (size_t)snprintf(text + length, size - length, "#define %s %s\n", options->macros[i].name,
                                    value != NULL ? value : "");
     }
+    snprintf(text + length, size - length, "%s\n", before);
     return text;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The lines before a text that define macros.
+// The lines before a text: macros, and what else a caller puts there.
 #ifndef GLSL_GLSL_MACRO_H
 #define GLSL_GLSL_MACRO_H
 

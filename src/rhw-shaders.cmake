@@ -41,7 +41,9 @@ function(rhw_write_shaders target result)
   foreach(file IN LISTS ARGN)
     if(file MATCHES "\\.(vert|frag|comp)(\\.spv)?$")
       get_filename_component(path ${file} ABSOLUTE)
-      get_filename_component(name ${file} NAME_WE)
+      get_filename_component(name ${file} NAME)
+      string(REGEX REPLACE "\\.(vert|frag|comp)(\\.spv)?$" "" name ${name})
+      string(MAKE_C_IDENTIFIER ${name} name)
       if(NOT name IN_LIST names)
         list(APPEND names ${name})
         list(APPEND files ${folder}/${name}.c)
@@ -70,7 +72,8 @@ function(rhw_write_shaders target result)
   file(MAKE_DIRECTORY ${folder})
   foreach(name IN LISTS names)
     add_custom_command(OUTPUT ${folder}/${name}.c DEPENDS ${program} ${shaders_${name}} VERBATIM
-      COMMAND ${program} shader ${shaders_${name}} -o ${folder}/${name}.c)
+      DEPFILE ${folder}/${name}.c.d
+      COMMAND ${program} shader ${shaders_${name}} -o ${folder}/${name}.c --depfile ${folder}/${name}.c.d)
   endforeach()
 endfunction()
 
@@ -78,7 +81,8 @@ endfunction()
 # so that RHW_ISA_NAME(name) of rhw/isa.h gives each copy its own name, and adds the copies to TARGET. They see the
 # include folders, definitions, options and libraries of TARGET, also those that it is given later.
 # A FILE may be a shader in GLSL, NAME.comp or NAME.vert and NAME.frag, or in SPIR-V, NAME.comp.spv and so on: the program
-# rhw writes it as C first, and TARGET has NAME_program (rhw/spirv.h, rhw_shader_program_emit_c).
+# rhw writes it as C first, and TARGET has NAME_program (rhw/spirv.h, rhw_shader_program_emit_c). What an identifier of C
+# has not is a _ in NAME. The C is made anew when a FILE changes, or a file that it includes.
 function(rhw_add_shaders target)
   if(NOT TARGET ${target})
     message(FATAL_ERROR "rhw_add_shaders: there is no target ${target}; add_executable or add_library makes it first")

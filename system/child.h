@@ -42,7 +42,9 @@ struct system_child_work {
     /// then.
     bool is_borrowing;
     unsigned cpu_seconds, wall_seconds; ///< the processor's time is looked at where the child is a process
-    size_t memory;                      ///< bytes of address space; 0: as much as there is
+    /// Bytes of address space that the child may take beyond what this process has, or in all where the system does
+    /// not say what that is; 0: as much as there is.
+    size_t memory;
     /// Asked many times a second; false gives the child up. NULL: nobody is asked. A thread is waited for all the same.
     bool (*goes_on)(void *user);
     void *goes_on_user;

@@ -16,6 +16,7 @@
 #include <sys/prctl.h>
 #endif
 
+#include "memory_limit.h"
 #include "sanitizer.h"
 
 // Child ---------------------------------------------------------------------------------------------
@@ -54,7 +55,7 @@ static void limit_memory(size_t bytes)
 {
     struct rlimit limit;
     if (getrlimit(RLIMIT_AS, &limit) == 0) {
-        limit.rlim_cur = soft_limit(bytes, &limit);
+        limit.rlim_cur = soft_limit(system_memory_mapped() + bytes, &limit);
         setrlimit(RLIMIT_AS, &limit);
     }
 }

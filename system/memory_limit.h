@@ -16,6 +16,8 @@ void system_memory_limit_set(size_t bytes);
 uint64_t system_memory_limit_lower(uint64_t bytes);
 void system_memory_limit_restore(uint64_t before);
 
+/// Bytes of address space that this process has, whether or not they are in memory; 0: the system does not say.
+uint64_t system_memory_mapped(void);
 /// The most bytes that this process has had in memory; 0: the system does not say.
 uint64_t system_memory_peak(void);
 

@@ -2,7 +2,10 @@
 // See memory_limit.h.
 #include "memory_limit.h"
 
+#include <fcntl.h>
+#include <stdlib.h>
 #include <sys/resource.h>
+#include <unistd.h>
 
 #include "sanitizer.h"
 
@@ -42,6 +45,22 @@ void system_memory_limit_restore(uint64_t before)
         limit.rlim_cur = (rlim_t)before;
         setrlimit(RLIMIT_AS, &limit);
     }
+}
+
+uint64_t system_memory_mapped(void)
+{
+#if defined(__linux__)
+    char text[64];
+    const int file = open("/proc/self/statm", O_RDONLY | O_CLOEXEC);
+    const ssize_t length = file >= 0 ? read(file, text, sizeof text - 1) : -1;
+    if (file >= 0) {
+        close(file);
+    }
+    text[length > 0 ? length : 0] = 0;
+    return (uint64_t)strtoull(text, NULL, 10) * (uint64_t)sysconf(_SC_PAGESIZE);
+#else
+    return 0;
+#endif
 }
 
 uint64_t system_memory_peak(void)

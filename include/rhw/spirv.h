@@ -132,6 +132,10 @@ struct rhw_shader_resource {
     enum rhw_texture_kind texture_kind;
     bool is_array, is_multisampled;
     bool is_integer; ///< its texels are whole numbers
+    bool is_signed;  ///< these numbers have a sign
+    bool is_depth;   ///< the module says that it holds depths, which a sampler compares: GLSL's shadow
+    uint32_t
+        format; ///< number of the texels' format (SPIR-V 1.3 §3.11, "Image Format"); 0: the module names none
     /// Struct of a buffer, NULL of what is none. It lives as long as the shader.
     const struct rhw_shader_type *type;
 };
@@ -143,8 +147,18 @@ struct rhw_shader_variable {
     uint32_t component;  ///< first of the components, 0..3
     uint32_t components; ///< how many, 1..4
     uint32_t index; ///< 1: a fragment shader writes the second source of blending; 0: it is anything else
-    bool is_integer;
-    const char *name; ///< name in the module, or ""; lives as long as the shader
+    bool is_integer, is_signed; ///< whole numbers, and whether they have a sign
+    const char *name;           ///< name in the module, or ""; lives as long as the shader
+};
+
+/// A constant that the module lets its user choose, a number or a truth. The shader need not use it.
+struct rhw_shader_constant_info {
+    uint32_t id;                    ///< SpecId, for struct rhw_shader_constant
+    enum rhw_shader_type_kind kind; ///< RHW_SHADER_FLOAT, RHW_SHADER_INT or RHW_SHADER_UINT
+    bool is_bool;                   ///< it is a truth, 0 or 1, of the kind RHW_SHADER_UINT
+    uint32_t bits;                  ///< bits of the number: 8, 16 or 32
+    uint32_t value;                 ///< bits of the number that it has where nobody chooses
+    const char *name;               ///< name in the module, or ""; lives as long as the shader
 };
 
 struct rhw_shader_info {
@@ -154,6 +168,8 @@ struct rhw_shader_info {
     const struct rhw_shader_variable *inputs,
         *outputs; ///< by location and component, built-in variables left out
     uint32_t input_count, output_count;
+    const struct rhw_shader_constant_info *constants; ///< all of the module, by id
+    uint32_t constant_count;
     uint32_t push_size;                      ///< bytes of the block of push constants; 0: none is used
     const struct rhw_shader_type *push_type; ///< struct of the push constants; NULL if there are none
     uint32_t size[3];                        ///< invocations of a workgroup in each direction; of compute

@@ -100,7 +100,8 @@ class Program:
             raise ValueError("vertex: a program has a vertex shader, perhaps with a fragment shader, or a compute shader alone")
         modules = [None if source is None else _module(source, stage, name)
                    for stage, (source, name) in enumerate(zip(sources, _STAGES))]
-        self._program = _rhw.Program(modules[0], modules[1], modules[2], _constants(constants))
+        codes = _matched(modules)
+        self._program = _rhw.Program(codes[0], codes[1], codes[2], _constants(constants))
         stages = [(tuple(Variable(*each) for each in inputs), tuple(Variable(*each) for each in outputs), push)
                   for inputs, outputs, push in self._program.stages]
         self._inputs = stages[0][0] if vertex is not None else ()
@@ -275,10 +276,25 @@ def _constants(constants: Optional[Mapping[int, float]]) -> Tuple[Tuple[int, int
 
 # Sources --------------------------------------------------------------------------------------------
 
-def _module(source: Any, stage: int, name: str) -> bytes:
+class _Module(NamedTuple):
     """SPIR-V of a source."""
+    code: bytes
+    is_text: bool = False
+    is_relaxed: bool = False  # the text is as OpenGL has it
+
+
+def _matched(modules: Sequence[Optional[_Module]]) -> List[Optional[bytes]]:
+    """Codes by stage. What texts as OpenGL has them share has one place."""
+    codes = [None if module is None else module.code for module in modules]
+    vertex, fragment = modules[0], modules[1]
+    if vertex and fragment and vertex.is_text and fragment.is_text:
+        codes[:2] = _rhw.match(vertex.code, vertex.is_relaxed, fragment.code, fragment.is_relaxed)
+    return codes
+
+
+def _module(source: Any, stage: int, name: str) -> _Module:
     if isinstance(source, (bytes, bytearray, memoryview)):
-        return bytes(source)
+        return _Module(bytes(source))
     if isinstance(source, str):
         if "\n" not in source and re.search(r"\.(vert|frag|comp|glsl|spv)$", source):
             raise TypeError(f"{name}: must be a text or a path; pathlib.Path({_arrays.text(source)}) is a path")
@@ -291,13 +307,13 @@ def _module(source: Any, stage: int, name: str) -> bytes:
             content = file.read()
     except OSError as error:
         raise _rhw.Error(f"{_arrays.shown(path)}: {error.strerror}") from error
-    return content if content[:4] in _MAGIC else _compiled(content, stage, path, True)
+    return _Module(content) if content[:4] in _MAGIC else _compiled(content, stage, path, True)
 
 
-def _compiled(text: bytes, stage: int, name: str, includes: bool) -> bytes:
+def _compiled(text: bytes, stage: int, name: str, includes: bool) -> _Module:
     if not _rhw.compiles:
         raise _rhw.Error(f"{_arrays.shown(name)}: this rhw was built without glslang, so it takes SPIR-V alone")
-    words, message, log = _rhw.compile(stage, text, os.fsencode(name), includes)
+    words, message, log, is_relaxed = _rhw.compile(stage, text, os.fsencode(name), includes)
     if words is None:
         told = _arrays.line(message, 400)
         found = re.match(re.escape(_arrays.shown(name)) + r":(\d+): ", told)
@@ -307,7 +323,7 @@ def _compiled(text: bytes, stage: int, name: str, includes: bool) -> bytes:
         raise CompileError(told, _STAGES[stage], line, shown, log)
     for warning in log.splitlines():
         warnings.warn(warning, stacklevel=4)
-    return words
+    return _Module(words, True, is_relaxed)
 
 
 # Values ---------------------------------------------------------------------------------------------

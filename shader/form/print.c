@@ -53,8 +53,7 @@ void shader_print_number(const struct shader_sink *sink, uint32_t bits, enum sha
     }
 }
 
-// Return what an operation takes its operand for.
-static enum shader_number_style style_of(enum shader_op op, int operand)
+enum shader_number_style shader_print_style(enum shader_op op, int operand)
 {
     switch (op) {
     case SHADER_SET:
@@ -221,7 +220,7 @@ static void print_plain(const struct printer *printer, struct shader_node *node)
     }
     for (uint32_t o = 0; o < count; o++) {
         shader_sink_print(printer->sink, " ");
-        print_value(printer, operands[o], style_of(op, (int)o));
+        print_value(printer, operands[o], shader_print_style(op, (int)o));
     }
     if (op == SHADER_LEAVE) {
         shader_sink_print(printer->sink, " v%u", (unsigned)node->operands[0]);

@@ -24,6 +24,8 @@ void shader_print(const struct shader_sink *sink, const struct shader_program *p
 // Print the bits of a constant: as a float, as a whole number, or as what they seem to be.
 enum shader_number_style { SHADER_NUMBER_FLOAT, SHADER_NUMBER_INT, SHADER_NUMBER_EITHER };
 void shader_print_number(const struct shader_sink *sink, uint32_t bits, enum shader_number_style style);
+// Return what an operation takes a constant operand for.
+enum shader_number_style shader_print_style(enum shader_op op, int operand);
 
 // Print a value: a constant in its style, others by their numbers and names.
 void shader_print_value(const struct shader_sink *sink, const struct shader_program *program, uint32_t value,

@@ -10,7 +10,8 @@ struct printer {
     const struct shader_bytecode *bytecode;
 };
 
-static void print_register(const struct printer *printer, struct shader_operand_of operand)
+static void print_operand(const struct printer *printer, struct shader_operand_of operand,
+                          enum shader_number_style style)
 {
     const struct shader_bytecode *const bytecode = printer->bytecode;
     if (!operand.is_uniform) {
@@ -20,10 +21,15 @@ static void print_register(const struct printer *printer, struct shader_operand_
     const uint32_t number = operand.vector - bytecode->first_uniform;
     if (number < bytecode->constant_count) {
         shader_sink_print(printer->sink, " ");
-        shader_print_number(printer->sink, bytecode->constants[number], SHADER_NUMBER_EITHER);
+        shader_print_number(printer->sink, bytecode->constants[number], style);
     } else {
         shader_sink_print(printer->sink, " u%u", (unsigned)number);
     }
+}
+
+static void print_register(const struct printer *printer, struct shader_operand_of operand)
+{
+    print_operand(printer, operand, SHADER_NUMBER_INT);
 }
 
 // What the instructions that the form does not have are called, and how many registers they read.
@@ -123,6 +129,20 @@ static void print_immediate(const struct printer *printer, const struct shader_i
     }
 }
 
+// Return what an instruction takes a constant operand for.
+static enum shader_number_style style_of(uint32_t op, int operand)
+{
+    switch (op) {
+    case SHADER_MUL_ADD:
+    case SHADER_MUL_SUB:
+    case SHADER_SUB_MUL: return SHADER_NUMBER_FLOAT;
+    case SHADER_LOAD_PRIVATE:
+    case SHADER_LOAD_TABLE: return SHADER_NUMBER_INT;
+    case SHADER_STORE_PRIVATE: return operand == 2 ? SHADER_NUMBER_EITHER : SHADER_NUMBER_INT;
+    default: return shader_print_style((enum shader_op)op, operand);
+    }
+}
+
 static void print_operands(const struct printer *printer, const struct shader_instruction *instruction)
 {
     const uint32_t op = instruction->op;
@@ -134,7 +154,7 @@ static void print_operands(const struct printer *printer, const struct shader_in
                       : op >= SHADER_END ? extra_ops[op - SHADER_END].operands
                                          : shader_op_operands((enum shader_op)op);
     for (int o = first; o < count; o++) {
-        print_register(printer, operands[o]);
+        print_operand(printer, operands[o], style_of(op, o));
     }
 }
 

@@ -54,6 +54,9 @@ static void reflect_image(const struct shader_type *type, struct rhw_shader_reso
         resource->is_array = image->image.is_arrayed;
         resource->is_multisampled = image->image.is_multisampled;
         resource->is_integer = image->element->kind == SHADER_INT;
+        resource->is_signed = resource->is_integer && image->element->is_signed;
+        resource->is_depth = image->image.is_depth;
+        resource->format = image->image.format;
     }
 }
 
@@ -202,6 +205,7 @@ static uint32_t add_variables(struct variable_list *list, const struct shader_ty
                                      .components = type->kind == SHADER_VECTOR ? type->count : 1,
                                      .index = list->index,
                                      .is_integer = scalar->kind == SHADER_INT,
+                                     .is_signed = scalar->kind == SHADER_INT && scalar->is_signed,
                                      .name = name};
     return location + 1;
 }
@@ -285,6 +289,7 @@ void shader_reflect(rhw_shader *shader)
     reflect_resources(shader);
     reflect_push_constants(shader);
     shader_name_members(shader);
+    shader_reflect_constants(shader);
     info->inputs = reflect_variables(shader, SPIRV_INPUT, &info->input_count);
     info->outputs = reflect_variables(shader, SPIRV_OUTPUT, &info->output_count);
     info->shared_size = shader->form->workgroup_size;

@@ -39,4 +39,7 @@ const struct rhw_shader_type *shader_reflect_type(rhw_shader *shader, const stru
 // Give the members of all structs that were told their names.
 void shader_name_members(const rhw_shader *shader);
 
+// reflect_constant.c. Tell the constants that a user of the module chooses.
+void shader_reflect_constants(rhw_shader *shader);
+
 #endif

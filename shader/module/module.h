@@ -45,6 +45,7 @@ enum shader_type_kind {
 struct shader_image_type {
     enum spirv_dim dim;
     bool is_depth, is_arrayed, is_multisampled, is_storage;
+    uint32_t format; // "Image Format" of SPIR-V; 0: unknown
 };
 
 // How a fragment shader's input comes from vertices. Without any: smooth, at the centre of the pixel.

@@ -189,7 +189,8 @@ static void read_image(struct shader_module *module, uint32_t word, struct shade
                                              .is_depth = words[4] == 1,
                                              .is_arrayed = words[5] == 1,
                                              .is_multisampled = words[6] == 1,
-                                             .is_storage = words[7] == 2 && words[3] != SPIRV_DIM_SUBPASS};
+                                             .is_storage = words[7] == 2 && words[3] != SPIRV_DIM_SUBPASS,
+                                             .format = words[8]};
 }
 
 static void read_function_type(struct shader_module *module, uint32_t word, struct shader_type *type)

@@ -68,6 +68,19 @@ draws 3 "255 0 0" 'color = vec4(dot(light.xyz, light.xyz) > 0.999 && light.z > 0
 draws 3 "255 0 0" 'if (position.x < 0.5) { discard; } color = vec4(1, 0, 0, 1);'
 draws 2 "0 0 0" 'if (position.x < 0.75) { discard; } color = vec4(1, 0, 0, 1);'
 
+# A text as OpenGL has it says what things are called alone, in any order.
+cat >loose.frag <<'GLSL'
+uniform vec4 base_color;
+uniform sampler2D base_color_texture;
+uniform vec4 camera;
+in vec4 vertex_color;
+in vec2 uv;
+in vec3 normal;
+out vec4 c;
+void main() { c = vec4((0.5 + 0.5 * normal.z) * camera.x, base_color.g, vertex_color.b * texture(base_color_texture, uv).b, 1); }
+GLSL
+check "names" test "$(pixel 3 loose.frag)" = "0 128 255"
+
 # The template and the shader of the document draw; the picture is one at every thread count, and from SPIR-V.
 succeed render --fragment-shader-template
 cp "$folder/log/out" mine.frag
@@ -100,25 +113,34 @@ refuse 1 "wrong.frag:$line: 'nothing' : undeclared identifier" render squares.ob
 refuse 1 "none.frag: cannot be opened: No such file" render squares.obj -o a.png --fragment-shader none.frag
 refuse 1 "squares.obj: a shader's file is named .vert, .frag" render squares.obj -o a.png --fragment-shader squares.obj
 echo 'void main() { gl_Position = vec4(0); }' >a.vert
-refuse 1 "a.vert: is no fragment shader" render squares.obj -o a.png --fragment-shader a.vert
+refuse 1 "a.vert: is a vertex shader, and no fragment shader" render squares.obj -o a.png --fragment-shader a.vert
 see="rhw render --fragment-shader-template shows what there is"
 while read -r wanted text; do
     echo "layout(location = 0) out vec4 color; $text" >bad.frag
     refuse 1 "bad.frag: $(echo "$wanted" | tr _ ' '); $see" render squares.obj -o a.png --fragment-shader bad.frag
 done <<'BAD'
-there_is_no_such_'t'_at_set_0,_binding_7 layout(binding = 7) uniform sampler2D t; void main() { color = texture(t, vec2(0)); }
-there_is_no_such_'B'_at_set_0,_binding_1 layout(binding = 1) uniform B { vec4 b; }; void main() { color = b; }
-there_is_no_such_'B'_at_set_0,_binding_0 layout(binding = 0) uniform B { vec4 b[99]; }; void main() { color = b[98]; }
-there_is_no_such_'c'_at_set_0,_binding_1 layout(binding = 1) uniform samplerCube c; void main() { color = texture(c, vec3(1)); }
-there_are_no_push_constants layout(push_constant) uniform P { vec4 p; }; void main() { color = p; }
-writes_'more'_at_location_1,_and_only_a_vec4_at_location_0_is_drawn layout(location = 1) out vec4 more; void main() { color = more = vec4(1); }
+there_is_nothing_for_'t'_at_set_0,_binding_7;_set_0_has_a_uniform_block_at_binding_0_and_a_sampler2D_at_binding_1 layout(binding = 7) uniform sampler2D t; void main() { color = texture(t, vec2(0)); }
+'B'_at_set_0,_binding_1_is_no_sampler2D,_which_is_what_is_there layout(binding = 1) uniform B { vec4 b; }; void main() { color = b; }
+'B'_at_set_0,_binding_0_is_no_uniform_block,_which_is_what_is_there layout(binding = 0) buffer B { vec4 b; }; void main() { color = b; }
+'B'_at_set_0,_binding_0_has_1584_bytes,_and_the_block_that_is_there_96 layout(binding = 0) uniform B { vec4 b[99]; }; void main() { color = b[98]; }
+'c'_at_set_0,_binding_1_is_no_sampler2D,_which_is_what_is_there layout(binding = 1) uniform samplerCube c; void main() { color = texture(c, vec3(1)); }
+'t'_at_set_0,_binding_1_is_an_array,_and_there_is_one layout(binding = 1) uniform sampler2D t[2]; void main() { color = texture(t[1], vec2(0)); }
+has_push_constants,_which_nothing_sets layout(push_constant) uniform P { vec4 p; }; void main() { color = p; }
+writes_'more',_a_vec4_at_location_1,_and_only_a_vec4_at_location_0_is_drawn layout(location = 1) out vec4 more; void main() { color = more = vec4(1); }
+reads_'a'_at_location_5,_and_the_last_input_is_at_3 layout(location = 5) in vec4 a; void main() { color = a; }
+reads_'a'_at_location_2_as_a_vec4,_and_uv_is_there,_a_vec2 layout(location = 2) in vec4 a; void main() { color = a; }
+there_is_no_input_'tangent',_and_what_has_no_location_or_binding_goes_by_its_name in vec4 tangent; void main() { color = tangent; }
+there_is_no_uniform_'time',_and_what_has_no_location_or_binding_goes_by_its_name uniform float time; void main() { color = vec4(time); }
+there_is_no_block_or_texture_'wood',_and_what_has_no_location_or_binding_goes_by_its_name uniform sampler2D wood; void main() { color = texture(wood, vec2(0)); }
+uniform_'camera'_is_a_vec3,_and_there_it_is_a_vec4 uniform vec3 camera; void main() { color = vec4(camera, 1); }
 BAD
 echo 'void main() {}' >bad.frag
 refuse 1 "bad.frag: writes no colour, which is a vec4 at location 0; $see" render squares.obj -o a.png --fragment-shader bad.frag
 echo 'layout(location = 0) out vec4 color; void main() {}' >black.frag
 check "what is not written is 0" "$rhw" render squares.obj -o a.png --fragment-shader black.frag
-echo 'layout(location = 5) in vec4 a; layout(location = 0) out vec4 color; void main() { color = a; }' >bad.frag
-refuse 1 "bad.frag: the fragment shader reads location 5" render squares.obj -o a.png --fragment-shader bad.frag
+echo 'void mainImage(out vec4 color, vec2 at) { color = vec4(1); }' >bad.frag
+refuse 1 "bad.frag: has mainImage\(\) and no main\(\): it covers a picture, which rhw shader --run draws; what shades models has" \
+    render squares.obj -o a.png --fragment-shader bad.frag
 rule="render: fragment shader: has no light before tone mapping, no wireframe, no noperspective and no exact transparency"
 refuse 2 "$rule" render squares.obj -o a.exr --fragment-shader green.frag
 for option in --wireframe --interpolate=noperspective --transparency=exact; do

@@ -234,45 +234,64 @@ project(translated LANGUAGES C)
 find_package(rhw REQUIRED)
 add_executable(translated main.c)
 target_link_libraries(translated PRIVATE rhw::rhw)
-rhw_add_shaders(translated twice.comp flat.vert flat.frag)
+rhw_add_shaders(translated more.comp flat-red.vert flat-red.frag)
+find_program(GLSLANG glslangValidator)
+if(GLSLANG)
+  rhw_add_glsl(translated in-words.comp)
+endif()
 CMAKE
-    cat >translated/twice.comp <<'GLSL'
+    cat >translated/more.comp <<'GLSL'
+#version 450
+#extension GL_GOOGLE_include_directive : enable
+#include "factor.glsl"
 layout(local_size_x = 8) in;
 layout(set = 0, binding = 3) buffer Numbers { float numbers[]; };
-void main() { numbers[gl_LocalInvocationIndex] *= 2.0; }
+void main() { numbers[gl_LocalInvocationIndex] *= FACTOR; }
 GLSL
-    echo 'void main() { gl_Position = vec4(0.0, 0.0, 0.0, 1.0); }' >translated/flat.vert
-    echo 'layout(location = 0) out vec4 color; void main() { color = vec4(1.0); }' >translated/flat.frag
+    cp translated/more.comp translated/in-words.comp
+    echo '#define FACTOR 2.0' >translated/factor.glsl
+    echo 'void main() { gl_Position = vec4(0.0, 0.0, 0.0, 1.0); }' >translated/flat-red.vert
+    echo 'layout(location = 0) out vec4 color; void main() { color = vec4(1.0); }' >translated/flat-red.frag
     cat >translated/main.c <<'C'
 #include <rhw/bind.h>
 #include <rhw/rhw.h>
 #include <rhw/spirv.h>
+#include <stdlib.h>
 
-extern const struct rhw_compute_program twice_program;
-extern const struct rhw_shader_layout twice_layout[1];
-extern const struct rhw_program flat_program;
+extern const struct rhw_compute_program more_program;
+extern const struct rhw_shader_layout more_layout[1];
+extern const struct rhw_program flat_red_program;
 
-int main(void)
+int main(int argc, char **argv)
 {
+    const float factor = argc > 1 ? strtof(argv[1], NULL) : 0;
     const struct rhw_context_def def = rhw_context_def_default();
     float numbers[8] = {0, 1, 2, 3, 4, 5, 6, 7};
     struct rhw_binding set;
     rhw_context *context;
-    if (rhw_context_create(&def, &context) != RHW_OK || !flat_program.fragment[RHW_ISA_BASELINE] ||
-        twice_layout[0].binding != 3 || !rhw_binding_of_memory(numbers, sizeof numbers, false, &set)) {
+    if (rhw_context_create(&def, &context) != RHW_OK || !flat_red_program.fragment[RHW_ISA_BASELINE] ||
+        more_layout[0].binding != 3 || !rhw_binding_of_memory(numbers, sizeof numbers, false, &set)) {
         return 2;
     }
     const struct rhw_shader_frame frame = {.sets = {&set}};
     const struct rhw_dispatch_def dispatch = {
-        .program = twice_program, .uniforms = &frame, .uniform_bytes = sizeof frame};
+        .program = more_program, .uniforms = &frame, .uniform_bytes = sizeof frame};
     const enum rhw_result result = rhw_dispatch(context, &dispatch, 1, 1, 1);
     rhw_context_destroy(context);
-    return result == RHW_OK && numbers[1] == 2 && numbers[7] == 14 ? 0 : 1;
+    return result == RHW_OK && numbers[1] == factor && numbers[7] == 7 * factor ? 0 : 1;
 }
 C
     check "translated configures" cmake -S translated -B translated/build -DCMAKE_PREFIX_PATH="$folder/prefix"
     check "translated builds" cmake --build translated/build
-    check "translated runs" translated/build/translated
+    check "translated runs" translated/build/translated 2
+    words=translated/build/translated_glsl/in_words_comp.h
+    check "words of 2" sh -c "[ ! -e $words ] || grep -q 0x40000000 $words"
+    # What a text includes is a part of it.
+    echo '#define FACTOR 3.0' >translated/factor.glsl
+    touch -d '+2 seconds' translated/factor.glsl
+    check "translated builds again" cmake --build translated/build
+    check "translated has changed" translated/build/translated 3
+    check "words of 3" sh -c "[ ! -e $words ] || grep -q 0x40400000 $words"
 fi
 
 # Mistakes end with a line that says what is wrong.

@@ -33,6 +33,9 @@ resources, by set and binding
          0  float[]      sink
 push constants, 4 bytes
          0  float        shift
+specialization constants
+  id 3       float  factor = 2
+  id 4       int    more = 0
 workgroup of 8x1x1, 0 bytes shared
 TEXT
 succeed shader double.comp
@@ -42,9 +45,56 @@ check "the table by name" cmp want "$folder/log/out"
 succeed shader --json double.comp
 check "JSON" grep -q '{"set": 0, "binding": 1, "kind": "storage buffer", "count": 1, "name": "Source", "read_only": true, "bytes": 0, "members": \[{"name": "source", "offset": 0, "type": "float\[\]"}\]}' \
     "$folder/log/out"
+check "constants in JSON" grep -q '"constants": \[{"id": 3, "type": "float", "default": 2, "name": "factor"}, {"id": 4, "type": "int", "default": 0, "name": "more"}\]' \
+    "$folder/log/out"
+cat >kinds.frag <<'GLSL'
+#extension GL_EXT_samplerless_texture_functions : enable
+layout(constant_id = 1) const bool sharp = true;
+layout(constant_id = 0) const uint most = 4000000000u;
+layout(location = 0) flat in uint number;
+layout(location = 1) flat in ivec3 three;
+layout(location = 0) out uvec4 color;
+layout(binding = 0) uniform sampler2DArrayShadow shadow;
+layout(binding = 1) uniform usamplerCube cube;
+layout(binding = 2, rgba16f) uniform image3D volume;
+layout(binding = 3, r32i) uniform iimageBuffer texels;
+layout(binding = 4) uniform samplerBuffer table;
+layout(binding = 5) uniform texture2DMS samples;
+layout(binding = 6) uniform sampler plain;
+
+void main()
+{
+    imageStore(volume, ivec3(0), texelFetch(table, 0) * texture(shadow, vec4(0)) + texelFetch(samples, ivec2(0), 0));
+    imageStore(texels, 0, ivec4(three, 0));
+    color = texture(cube, vec3(1)) + number + most;
+}
+GLSL
+cat >want.kinds <<'TEXT'
+kinds.frag: fragment shader main
+resources, by set and binding
+  0:0   sampled texture shadow, sampler2DArrayShadow
+  0:1   sampled texture cube, usamplerCube
+  0:2   storage image volume, image3D, rgba16f
+  0:3   texel buffer texels, iimageBuffer, r32i
+  0:4   texel buffer table, samplerBuffer
+  0:5   texture samples, texture2DMS
+specialization constants
+  id 0       uint   most = 4000000000
+  id 1       bool   sharp = true
+inputs
+  location 0  uint   number
+  location 1  ivec3  three
+outputs
+  location 0  uvec4  color
+TEXT
+succeed shader kinds.frag
+check "kinds of images, and numbers without sign" cmp want.kinds "$folder/log/out"
+succeed shader --json kinds.frag
+check "kinds in JSON" grep -q '"name": "volume", "image": "image3D", "format": "rgba16f", "read_only": false' "$folder/log/out"
 if command -v python3 >/dev/null 2>&1; then
     check "JSON of a shader" python3 -m json.tool "$folder/log/out" /dev/null
 fi
+refuse 2 "--run: draws colours, which are floats, and the first output" shader kinds.frag --run -o a.png
 
 # SPIR-V is written whole, and read again.
 succeed shader double.comp -o double.spv
@@ -64,6 +114,15 @@ succeed shader --print bytecode double.comp
 check "bytecode" grep -Eq "^ +[0-9]+  end *$" "$folder/log/out"
 
 
+# What a file is made of, for make.
+printf '#define ONE 1.0\n' >'o n$e.glsl'
+printf '#include "o n$e.glsl"\nlayout(location = 0) out vec4 c;\nvoid main() { c = vec4(ONE); }\n' >one.frag
+for out in one.c one.spv; do
+    succeed shader one.frag -o $out --depfile $out.d
+    check "what $out is made of" test "$(cat $out.d)" = "$out: one.frag o\\ n\$\$e.glsl"
+done
+refuse 2 "--depfile: goes with -o OUT.spv or OUT.c alone" shader one.frag --depfile one.d
+
 # A program as C.
 succeed shader double.spv -o twice.c
 check "names of C" grep -q "^const struct rhw_compute_program twice_program" twice.c
@@ -74,6 +133,13 @@ succeed shader double.comp --run --buffer 0:1=f32:1,2,3,4.5 --buffer 0:2=20 --pu
 check "numbers" test "$(cat "$folder/log/out")" = "2.25,4.25,6.25,9.25,0.25"
 succeed shader double.spv --run --buffer 0:1=f32:1,2,3,4.5 --buffer 0:2=20 --result 0:2=f32 --constant 3=3 --constant 4=10
 check "constants" test "$(cat "$folder/log/out")" = "13,16,19,23.5,10"
+succeed shader double.comp -o given.spv --constant 3=3 --constant 4=10
+succeed shader given.spv --run --buffer 0:1=f32:1,2,3,4.5 --buffer 0:2=20 --result 0:2=f32
+check "constants that are written" test "$(cat "$folder/log/out")" = "13,16,19,23.5,10"
+succeed shader given.spv --run --buffer 0:1=f32:1 --buffer 0:2=4 --result 0:2=f32 --constant 4=0
+check "and may be chosen again" test "$(cat "$folder/log/out")" = 3
+succeed shader kinds.frag --print spirv --constant 1=false --constant 0=7
+check "constants that are printed" sh -c "grep -q '%sharp = OpSpecConstantFalse' '$folder/log/out' && grep -q '%most = OpSpecConstant %uint 7' '$folder/log/out'"
 succeed shader double.spv --run --buffer Source=f32:1 --buffer Sink=8 --result Sink=sink.bin --result 0:2=u32
 check "bits" test "$(cat "$folder/log/out")" = "1073741824,0"
 check "a file" test "$(od -A n -t f4 sink.bin | tr -d ' ')" = 20
@@ -116,6 +182,55 @@ printf 'P6 1 1 255\n\377\000\000' >want.ppm
 succeed compare red.png want.ppm
 succeed shader red.vert red.frag
 check "both tables" test "$(grep -c '^red.*shader main$' "$folder/log/out")" = 2
+
+# Texts that are none for Vulkan: what they share goes by its name. green stands behind red in one and before it in the
+# other, and so do the textures; both have uniforms of their own and one together.
+cat >loose.vert <<'GLSL'
+uniform float iTime;
+uniform sampler2D picture;
+out float red;
+out float green;
+void main()
+{
+    gl_Position = vec4(gl_VertexIndex == 1 ? 3 : -1, gl_VertexIndex == 2 ? 3 : -1, 0, 1);
+    red = 0.25 * iTime;
+    green = textureLod(picture, vec2(0.5), 0.0).g;
+}
+GLSL
+cat >loose.frag <<'GLSL'
+uniform sampler2D other;
+uniform vec3 iResolution;
+uniform float iTime;
+in float green;
+in float red;
+out vec4 color;
+void main() { color = vec4(red * iTime, green, texture(other, vec2(0.5)).b * iResolution.x, 1.0); }
+GLSL
+printf 'P6 1 1 255\n\000\377\000' >green.ppm
+printf 'P6 1 1 255\n\000\000\377' >blue.ppm
+succeed shader loose.vert loose.frag --run --size 1 --time 2 --texture picture=green.ppm --texture other=blue.ppm -o loose.png
+printf 'P6 1 1 255\n\377\377\377' >want.ppm
+succeed compare loose.png want.ppm
+refuse 1 "loose.vert:1: 'non-opaque uniforms outside a block'" shader loose.vert loose.frag
+sed 's/in float red;/in float blue;/; s/red \*/blue */' loose.frag >blue.frag
+refuse 1 "blue.frag: the fragment shader reads 'blue', which the vertex shader does not write; what has no location goes by its name" \
+    shader loose.vert blue.frag --relaxed
+sed 's/uniform float iTime/uniform int iTime/' loose.frag >whole.frag
+refuse 1 "whole.frag: uniform 'iTime' is of another type in the other shader" shader loose.vert whole.frag --run -o a.png
+
+# mainImage, as ShaderToy has it: y points up.
+cat >toy.frag <<'GLSL'
+/* void main() */ uniform float iTime;
+void mainImage(out vec4 color, in vec2 at) // main(
+{
+    color = vec4(at.x < 0.5 * iResolution.x ? 1 : 0, at.y < 0.5 * iResolution.y ? 1 : 0, iTime, 0);
+}
+GLSL
+succeed shader toy.frag --run --size 2x2 --time 1 -o toy.png
+printf 'P6 2 2 255\n\377\000\377\000\000\377\377\377\377\000\377\377' >want.ppm
+succeed compare toy.png want.ppm
+sed 's/iTime, 0/iTimes, 0/' toy.frag >bad.frag
+refuse 1 "bad.frag:4: 'iTimes' : undeclared identifier" shader bad.frag --run -o a.png
 
 printf 'layout(location = 0) out vec4 c;\nvoid main() { c = vec4(1); }\n' >flat.frag
 
@@ -166,6 +281,13 @@ refuse 1 "--constant: '4=0.5': constant 4 of double.spv is a whole number" shade
 refuse 1 "--push: no shader here has push constants" shader red.spv --run --push u32:1 -o a.png
 refuse 1 "--buffer: '0:2=0': a buffer has 1 to" shader double.spv --run --buffer 0:1=4 --buffer 0:2=0 --result 0:2=f32
 refuse 1 "--buffer: '0:2=f32:1,x': number 2 is no f32" shader double.spv --run --buffer 0:1=4 --buffer 0:2=f32:1,x --result 0:2=f32
+refuse 1 "standard input: is not read: the name of a shader's file tells what it is; it ends with .vert" shader -
+refuse 1 "--result: 'Sinks=f32': no shader here uses such a buffer or storage image" shader double.spv --run --buffer 0:1=4 \
+    --buffer 0:2=4 --result Sinks=f32
+refuse 1 "none/sink.bin: cannot be written" shader double.spv --run --buffer 0:1=4 --buffer 0:2=4 --result Sink=none/sink.bin \
+    --result 0:2=f32
+refuse 2 "--result: 'Sink=f16': f16 is not f32, i32 or u32, and the name of a file has a point or a slash" shader double.spv \
+    --run --buffer 0:1=4 --buffer 0:2=4 --result Sink=f16
 refuse 1 "wrong.txt: a shader's file is named .vert, .frag, .comp \(GLSL\) or .spv" shader wrong.txt
 refuse 1 "'2' cannot be defined: a macro's name has letters" shader red.frag -D 2
 

@@ -6,8 +6,8 @@
 words=$root/web/npm/words.js
 types=$root/web/npm/index.d.ts
 
-# Options that are none there: of files, pictures in a row and what is measured; a process of its own; a panorama's file;
-# shaders, whose translation the module does not have.
+# Options that are none there: of files, pictures in a row and what is measured; a process of its own; a panorama's file; and
+# fragment-shader, which is no word: SPIR-V comes as bytes.
 left_out="out literal output bits format quality print-camera views animate turntable isa paths stats quiet max-memory max-time
     confine environment environment-rotation fragment-shader fragment-shader-template help"
 

@@ -74,6 +74,7 @@ OTHERS = [None, True, "", "color", "x\0y", "é" * 300, b"bytes", b"x\0y", (), (1
 TEXTS = (b"layout(location = 0) in vec3 a; layout(binding = 0) uniform B { vec4 b; }; void main() { gl_Position = vec4(a, 1) + b; }",
          b"""layout(binding = 1) uniform sampler2D t; layout(location = 0) out vec4 c; layout(push_constant) uniform P { vec4 p; };
 void main() { c = texture(t, vec2(0)) + p; }""")
+LOOSE = b"uniform struct S { mat3 m[2]; float f; } s; void main() {}"
 COMPUTE = b"""layout(local_size_x = 8) in; layout(binding = 0) buffer B { uint b[]; }; layout(binding = 1, r8) uniform imageBuffer i;
 void main() { b[gl_GlobalInvocationID.x] += 1u; imageStore(i, 0, vec4(1)); }"""
 
@@ -94,6 +95,7 @@ def program_calls(context, recorded, texture, sampler, positions, faces):
         "dispatch": (_rhw.dispatch, (context, computing, (2, 1, 1), ((0, 0, words, None), (1, 0, words, _rhw.formats["r8_unorm"])),
                                      words)),
         "compile": (_rhw.compile, (0, TEXTS[0], b"text", False)),
+        "match": (_rhw.match, (_rhw.compile(0, LOOSE, b"text", False)[0], True, _rhw.compile(1, LOOSE, b"text", False)[0], True)),
     }
 
 
@@ -212,7 +214,7 @@ def replaced(arguments, choose):
 def test_nothing_is_left_out():
     there = {name for name in dir(_rhw) if callable(getattr(_rhw, name)) and not name.startswith("__")}
     assert {name.split(".")[0] for name in calls()} == (there if _rhw.compiles else there - {"Program", "program_pipeline", "dispatch",
-                                                                                              "compile"})
+                                                                                              "compile", "match"})
 
 
 @pytest.mark.parametrize("name", list(calls()))

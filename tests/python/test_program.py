@@ -2,6 +2,7 @@
 """Programs from Python: GLSL texts draw and compute what their formulas say, and what is wrong is named with its line."""
 
 import gc
+import mmap
 import pathlib
 import signal
 
@@ -214,6 +215,33 @@ def test_sources(tmp_path):
         numbers = np.arange(8, dtype=np.int32)
         Program(compute=source).dispatch(1, {"data": numbers, "table": np.zeros(2, np.int32), "factor": 2})
         assert np.array_equal(numbers, factor * np.arange(8))
+
+
+def test_texts_of_opengl():
+    """Names fit two texts together, whatever order they have; a uniform of both is one."""
+    vertex = """uniform mat3 turn; uniform float scale; uniform sampler2D map;
+in vec2 uv; in vec2 position; out vec2 at; out float far;
+void main() { at = uv; far = scale; gl_Position = vec4(turn * vec3(position, 1), 1) + textureLod(map, uv, 0.0) * 0.0; }"""
+    fragment = """uniform sampler2D image; uniform vec4 tint; uniform float scale; in float far; in vec2 at; out vec4 color;
+void main() { color = vec4(texture(image, at).r * tint.r, far, scale * tint.b, 1); }"""
+    program = Program(vertex=vertex, fragment=fragment)
+    assert sorted(program.values) == ["image", "map", "scale", "tint", "turn"]
+    target = {"color": Texture(SIZE, "rgba32_float")}
+    turn = np.array([[1, 0, 0], [0, 1, 0], [0, 0, 0.5]], np.float32)
+    with Pass(target) as draw:
+        draw(Pipeline(target, program=program, depth=None), {"position": CORNERS, "uv": np.zeros((3, 2), np.float32)},
+             values={"turn": turn, "scale": 0.25, "tint": (0.5, 0, 8, 0), "map": np.ones((1, 1), np.float32),
+                     "image": np.full((1, 1), 0.5, np.float32)})
+    assert (target["color"].array == (0.25, 0.25, 2, 1)).all()
+    with pytest.raises(ValueError, match="the fragment shader reads 'at', which the vertex shader does not write"):
+        Program(vertex=vertex.replace("vec2 at;", "vec2 there;").replace("at =", "there ="), fragment=fragment)
+
+
+def test_a_large_process_compiles():
+    """The limit of memory counts from what the process has."""
+    with mmap.mmap(-1, 1 << 37, flags=mmap.MAP_PRIVATE | mmap.MAP_ANONYMOUS | 0x4000, prot=0):
+        Program(vertex=COVER)
+        rhw.Model([[0, 0, 0], [1, 0, 0], [0, 1, 0]])
 
 
 def test_texts_that_are_wrong(tmp_path):

@@ -110,6 +110,34 @@ async function checkClosing(checks, rhw, box) {
     }
 }
 
+// What shades is that of each picture, and may change.
+async function checkShader(checks, rhw, read, { cases, shader, shaded }) {
+    const box = await read(cases[0].model), fragmentShader = await read(shader);
+    const { samples } = samplesOf(await read(shaded));
+    const view = { size: [97, 61] };
+    const scene = await rhw.load(box, { name: 'box.glb' });
+    const plain = scene.render(view).color;
+    for (const time of ['first', 'second']) {
+        checks.samples(`shaded, the ${time} time`, withoutAlpha(scene.render({ ...view, fragmentShader }).color), samples);
+    }
+    checks.same('what is said of it', scene.explain(48, 30, view).text !== '', true);
+    checks.samples('materials again', scene.render(view).color, plain);
+    const cut = fragmentShader.slice(0, 400);
+    for (const [bytes, rule] of [[cut, '.+'], [new Uint8Array(3), 'a SPIR-V module is a number of whole words'],
+                                 [Uint8Array.of(...fragmentShader.slice(0, 20)), '.+']]) {
+        await checks.fails('a shader that is none', (async () => scene.render({ ...view, fragmentShader: bytes }))(),
+                           new RegExp(`^rhw: fragmentShader: ${rule}`));
+    }
+    await checks.fails('a shader in words', (async () => scene.render({ ...view, fragmentShader: 'void main() {}' }))(),
+                       /^rhw: fragmentShader: must be a Uint8Array or an ArrayBuffer$/);
+    await checks.fails('a shader with wires', (async () => scene.render({ ...view, fragmentShader, wireframe: true }))(),
+                       /^rhw: render: fragment shader: has no /);
+    await checks.fails('a shader that is explained', (async () => scene.explain(1, 1, { fragmentShader }))(),
+                       /^rhw: fragmentShader: cannot be explained$/);
+    checks.samples('materials after all', scene.render(view).color, plain);
+    scene.close();
+}
+
 async function checkColors(checks, rhw, box) {
     const scene = await rhw.load(box);
     const corner = (background) => [...scene.render({ size: 8, zoom: 0.1, samples: 1, background }).color.slice(0, 4)];
@@ -339,6 +367,7 @@ export async function check(rhw, read, threads, address) {
     const box = data.cases[0].model;
     await checkSignals(checks, rhw, await read(box), address(box));
     await checkClosing(checks, rhw, await read(box));
+    await checkShader(checks, rhw, read, data);
     await checkColors(checks, rhw, await read(box));
     await checkScene(checks, rhw, read, data, threads);
     await checkErrors(checks, rhw, read, data);

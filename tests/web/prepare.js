@@ -38,11 +38,16 @@ const data = cases.map(({ name, model, files = [], options, words }, number) => 
 const at = [`--at=${explained.x},${explained.y}`, `--sample=${explained.sample}`];
 const plain = join(folder, data[0].model);
 const normals = ['--output=normal', '--bits=16', '--size=97x61', '--format=ppm', '--out=-'];
+// A shader: the template, in SPIR-V, and what the program draws with its text.
+const shader = join(folder, write('mine.frag', run('render', '--fragment-shader-template')));
+run('shader', shader, '--out', join(folder, 'mine.spv'));
 write('data.json', JSON.stringify({
     cases: data,
     explained,
     json: write('explain.json', run('explain', plain, ...at, '--json')),
     text: write('explain.txt', run('explain', plain, ...at)),
     info: write('info.json', run('info', plain, '--json')),
+    shader: 'mine.spv',
+    shaded: write('shaded.ppm', run('render', plain, '--quiet', `--fragment-shader=${shader}`, '--size=97x61', '--format=ppm', '--out=-')),
     normals: write('normals.ppm', run('render', plain, '--quiet', ...normals)),
 }));

@@ -9,6 +9,7 @@ const GRANTED = {
     obj: 'ArrayBuffer',
     mtl: 'ArrayBuffer',
     jpeg: 'ArrayBuffer',
+    toon: 'Uint8Array',
     shared: 'SharedArrayBuffer',
     view: "import('rhw').RenderOptions",
     scene: "import('rhw').Scene",

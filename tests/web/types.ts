@@ -29,6 +29,7 @@ await render(bytes, { sise: 64 });
 const scene: Scene = await load(bytes, { name: 'a.obj', files: { 'a.mtl': new Uint8Array(1) } });
 const { camera } = scene.view({ orbit: [30, 20] });
 scene.render({ camera, goesOn: () => true });
+scene.render({ fragmentShader: new Uint8Array(20) });
 scene.render({ camera, size: 64, outputs: ['normal'] }).normal.length;
 const told: Explanation = scene.explain(1, 2, { sample: 0, size: 64 });
 const text: string = told.text, fate: 'written' | string = told.fragments[0]!.fate;

@@ -2,11 +2,10 @@
 #include "fragment_shader.h"
 
 #include "draw/material_program.h"
+#include "fragment_program.h"
 #include "shader_job.h"
 
-static const uint32_t vertex_words[] = {
-#include "material.inc"
-};
+#include <glsl_names.h>
 
 const char cli_fragment_shader_template[] =
     "#version 450\n"
@@ -45,74 +44,45 @@ const char cli_fragment_shader_template[] =
     "    color = vec4(base.rgb * (0.15 + 0.85 * diffuse) + 0.2 * edge, base.a);\n"
     "}\n";
 
-// Report what a shader has that there is nothing for.
-static bool check(const char *path, const struct rhw_shader_info *info)
+// Put things of one kind where their names belong. Report a name that is none of those.
+static bool place(const struct cli_shader_file *file, enum glsl_thing thing,
+                  const struct cli_fragment_known *known, uint32_t count, const char *noun)
 {
-    static const enum rhw_shader_resource_kind kinds[SCENE_PROGRAM_BINDINGS] = {
-        [SCENE_PROGRAM_BLOCK] = RHW_SHADER_UNIFORM_BUFFER,
-        [SCENE_PROGRAM_BASE_COLOR] = RHW_SHADER_SAMPLED_TEXTURE};
-    const char *const hint = "rhw render --fragment-shader-template shows what there is";
-    if (info->stage != RHW_SHADER_FRAGMENT) {
-        cli_error(path, "is no fragment shader");
-        return false;
+    struct glsl_place places[CLI_FRAGMENT_MEMBERS];
+    for (uint32_t i = 0; i < count; i++) {
+        places[i] = (struct glsl_place){.name = known[i].name, .number = known[i].number};
     }
-    for (uint32_t i = 0; i < info->resource_count; i++) {
-        const struct rhw_shader_resource *const r = &info->resources[i];
-        if (r->set != 0 || r->binding >= SCENE_PROGRAM_BINDINGS || r->kind != kinds[r->binding] ||
-            r->count != 1 || r->size > sizeof(struct scene_program_block) ||
-            r->texture_kind != RHW_TEXTURE_2D || r->is_array || r->is_multisampled || r->is_integer) {
-            cli_error(path, "there is no such '%s' at set %u, binding %u; %s", r->name, (unsigned)r->set,
-                      (unsigned)r->binding, hint);
-            return false;
-        }
+    const struct glsl_code code = {.words = file->words, .size = file->size};
+    const char *const unknown = glsl_place(&code, thing, places, count);
+    if (unknown) {
+        cli_error(file->path,
+                  "there is no %s '%.60s', and what has no location or binding goes by its name; %s", noun,
+                  unknown, cli_fragment_hint);
     }
-    if (info->push_size > 0) {
-        cli_error(path, "there are no push constants; %s", hint);
-        return false;
-    }
-    if (info->output_count == 0) {
-        cli_error(path, "writes no colour, which is a vec4 at location 0; %s", hint);
-        return false;
-    }
-    for (uint32_t i = 0; i < info->output_count; i++) {
-        if (info->outputs[i].location != 0 || info->outputs[i].is_integer) {
-            cli_error(path, "writes '%s' at location %u, and only a vec4 at location 0 is drawn; %s",
-                      info->outputs[i].name, (unsigned)info->outputs[i].location, hint);
-            return false;
-        }
-    }
-    return true;
+    return !unknown;
 }
 
-static rhw_shader_program *link_shader(const char *path, const rhw_shader *fragment)
+// A text as OpenGL has it says what things are called, and not where they are.
+static bool place_names(const struct cli_shader_file *file)
 {
-    static const struct rhw_shader_layout layout[SCENE_PROGRAM_BINDINGS] = {
-        {.binding = SCENE_PROGRAM_BLOCK, .count = 1}, {.binding = SCENE_PROGRAM_BASE_COLOR, .count = 1}};
-    char message[RHW_SHADER_MESSAGE] = "";
-    rhw_shader *vertex;
-    rhw_shader_program *program = NULL;
-    const struct rhw_shader_def vertex_def = {.stage = RHW_SHADER_VERTEX};
-    enum rhw_result result =
-        rhw_shader_create(vertex_words, sizeof vertex_words, &vertex_def, &vertex, message);
-    if (result == RHW_OK) {
-        const struct rhw_shader_program_def def = {
-            .vertex = vertex, .fragment = fragment, .layout = layout, .layout_count = SCENE_PROGRAM_BINDINGS};
-        result = rhw_shader_program_create(&def, &program, message);
-    }
-    rhw_shader_destroy(vertex);
-    if (result != RHW_OK) {
-        cli_error(path, "%s", message);
-    }
-    return program;
+    static const struct cli_fragment_known resources[] = {
+        {"gl_DefaultUniformBlock", SCENE_PROGRAM_BLOCK, 0},
+        {"Scene", SCENE_PROGRAM_BLOCK, 0},
+        {"base_color_texture", SCENE_PROGRAM_BASE_COLOR, 0}};
+    return !file->is_relaxed ||
+           (place(file, GLSL_INPUT, cli_fragment_inputs, CLI_FRAGMENT_INPUTS, "input") &&
+            place(file, GLSL_RESOURCE, resources, sizeof resources / sizeof *resources, "block or texture") &&
+            place(file, GLSL_UNIFORM, cli_fragment_members, CLI_FRAGMENT_MEMBERS, "uniform"));
 }
 
 rhw_shader_program *cli_fragment_shader_open(const char *path)
 {
-    struct cli_shader_job job = {.print = CLI_SHADER_NOTHING};
+    struct cli_shader_job job = {.print = CLI_SHADER_NOTHING, .is_relaxed = true, .shades_models = true};
     struct cli_shader_file file;
     rhw_shader_program *program = NULL;
-    if (cli_shader_file_open(&file, path, &job) && check(path, rhw_shader_get_info(file.shader))) {
-        program = link_shader(path, file.shader);
+    if (cli_shader_file_open(&file, path, &job) && place_names(&file) &&
+        cli_shader_file_translate(&file, &job)) {
+        program = cli_fragment_program_create(path, file.shader, file.is_relaxed);
     }
     cli_shader_file_close(&file);
     return program;

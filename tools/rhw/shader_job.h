@@ -6,6 +6,7 @@
 #include "budget.h"
 #include "options.h"
 #include "output_file.h"
+#include "shader_main_image.h"
 
 #include <glsl.h>
 #include <rhw/spirv.h>
@@ -46,7 +47,9 @@ struct cli_shader_constant {
 struct cli_shader_job {
     const char *out; ///< NULL: none
     enum cli_shader_print print;
+    const char *depfile; ///< NULL: none
     bool is_strict, is_relaxed, has_step, is_before_passes, json, all_errors, runs;
+    bool shades_models;      ///< it is for rhw render
     const char *entry_point; ///< NULL: "main", or the only one
     struct glsl_macro macros[CLI_SHADER_LIST];
     int macro_count;
@@ -72,16 +75,19 @@ struct cli_shader_file {
     char *entry_point;
     uint32_t *words;
     size_t size; ///< bytes
-    struct rhw_shader_constant constants[CLI_SHADER_LIST];
-    uint32_t constant_count;
     rhw_shader *shader;
+    bool is_relaxed; ///< the text is as OpenGL has it (glsl_options)
+    char *included;  ///< names of files, a line each; NULL: the file is no text
+    struct cli_shader_main_image main_image;
 };
 
 extern const char *const cli_shader_stage_names[RHW_SHADER_STAGE_COUNT];
 
-// shader_source.c. Read, compile and translate a file. Report what is wrong, and warnings of the compiler. The file is
-// closed in either case.
-bool cli_shader_file_open(struct cli_shader_file *file, const char *path, struct cli_shader_job *job);
+// shader_source.c. Read and compile a file. Report what is wrong, and warnings of the compiler. The file is closed in
+// either case.
+bool cli_shader_file_open(struct cli_shader_file *file, const char *path, const struct cli_shader_job *job);
+/// Translate the words of a file, and report what is wrong.
+bool cli_shader_file_translate(struct cli_shader_file *file, struct cli_shader_job *job);
 void cli_shader_file_close(struct cli_shader_file *file);
 /// Write a file. Report failure.
 bool cli_shader_write_bytes(const char *path, const void *bytes, size_t size);
@@ -89,10 +95,17 @@ struct rhw_shader_def cli_shader_file_def(const struct cli_shader_file *file);
 /// Read all bytes of a file, by malloc, with a 0 behind them. Report what is wrong; `most` is the largest size.
 char *cli_shader_read(const char *path, size_t most, size_t *size);
 
-// shader_link.c. Link the shaders of files, a fragment shader alone with one that covers the picture if it
+// shader_link.c. Fit texts together by names, if one of them is none for Vulkan (glsl_match). They are not translated
+// yet. Report what does not fit.
+bool cli_shader_match(const struct cli_shader_file *files, int count);
+/// Link the shaders of files, a fragment shader alone with one that covers the picture if it
 // `needs_program`; else *linked is NULL. Report what does not fit.
 bool cli_shader_link(const struct cli_shader_file *files, int count, bool needs_program,
                      rhw_shader_program **linked);
+
+// shader_depfile.c. Write a rule of make that says what a file was made of. Report failure.
+bool cli_shader_write_depfile(const char *path, const char *target, const struct cli_shader_file *files,
+                              int count);
 
 // shader_table.c. Print what shaders are.
 void cli_shader_print_table(const struct cli_shader_file *file);

@@ -2,6 +2,8 @@
 // Shaders that are given together make a program.
 #include "shader_job.h"
 
+#include <glsl_names.h>
+
 static const uint32_t screen_words[] = {
 #include "screen.inc"
 };
@@ -35,6 +37,23 @@ static rhw_shader_program *link_screen(const struct cli_shader_file *file)
         cli_error(file->path, "%s", message);
     }
     return program;
+}
+
+bool cli_shader_match(const struct cli_shader_file *files, int count)
+{
+    struct glsl_code codes[RHW_SHADER_STAGE_COUNT] = {{0}};
+    char message[RHW_SHADER_MESSAGE];
+    for (int i = 0; i < count && files[i].is_text; i++) {
+        codes[files[i].stage] = (struct glsl_code){
+            .words = files[i].words, .size = files[i].size, .is_relaxed = files[i].is_relaxed};
+    }
+    const struct glsl_code *const vertex = &codes[RHW_SHADER_VERTEX], *const fragment =
+                                                                          &codes[RHW_SHADER_FRAGMENT];
+    if (!vertex->words || !fragment->words || glsl_match(vertex, fragment, message, sizeof message)) {
+        return true;
+    }
+    cli_error(files[count - 1].path, "%s", message);
+    return false;
 }
 
 bool cli_shader_link(const struct cli_shader_file *files, int count, bool needs_program,

@@ -47,6 +47,19 @@ static bool check_used(const struct cli_shader_bindings *bindings, const char *k
     return true;
 }
 
+// Find what a shader has at the set and binding of a resource.
+static const struct rhw_shader_resource *find_resource(const struct cli_shader_file *file,
+                                                       const struct rhw_shader_resource *what)
+{
+    const struct rhw_shader_info *const info = rhw_shader_get_info(file->shader);
+    for (uint32_t i = 0; i < info->resource_count; i++) {
+        if (info->resources[i].set == what->set && info->resources[i].binding == what->binding) {
+            return &info->resources[i];
+        }
+    }
+    return NULL;
+}
+
 // Buffers --------------------------------------------------------------------------------------------
 
 // Set a member that the program knows by its name.
@@ -82,7 +95,20 @@ static void set_members(const struct rhw_shader_type *type, const struct cli_sha
     }
 }
 
-static bool open_buffer(struct cli_shader_resource *resource, struct cli_shader_job *job)
+// A binding of two shaders may have more members in one of them.
+static uint32_t largest_size(const struct cli_shader_file *files, int count,
+                             const struct rhw_shader_resource *what)
+{
+    uint32_t size = what->size;
+    for (int i = 0; i < count; i++) {
+        const struct rhw_shader_resource *const other = find_resource(&files[i], what);
+        size = other && other->size > size ? other->size : size;
+    }
+    return size;
+}
+
+static bool open_buffer(struct cli_shader_resource *resource, struct cli_shader_job *job,
+                        const struct cli_shader_file *files, int count)
 {
     const struct rhw_shader_resource *const what = resource->what;
     const struct cli_shader_binding *const given = find_binding(&job->buffers, what);
@@ -96,13 +122,16 @@ static bool open_buffer(struct cli_shader_resource *resource, struct cli_shader_
                   (unsigned)what->set, (unsigned)what->binding, (unsigned)what->set, (unsigned)what->binding);
         return false;
     }
-    resource->size = what->size;
+    resource->size = largest_size(files, count, what);
     resource->memory = calloc(1, resource->size + 4);
     if (!resource->memory) {
         cli_error("--run", "out of memory");
         return false;
     }
-    set_members(what->type, job, resource->memory, resource->size);
+    for (int i = 0; i < count; i++) {
+        const struct rhw_shader_resource *const one = find_resource(&files[i], what);
+        set_members(one ? one->type : NULL, job, resource->memory, resource->size);
+    }
     return true;
 }
 
@@ -197,11 +226,11 @@ static bool is_buffer(const struct rhw_shader_resource *what)
 }
 
 static bool open_resource(struct cli_shader_resource *resource, rhw_context *context,
-                          struct cli_shader_job *job)
+                          struct cli_shader_job *job, const struct cli_shader_file *files, int count)
 {
     switch (resource->what->kind) {
     case RHW_SHADER_UNIFORM_BUFFER:
-    case RHW_SHADER_STORAGE_BUFFER: return open_buffer(resource, job);
+    case RHW_SHADER_STORAGE_BUFFER: return open_buffer(resource, job, files, count);
     case RHW_SHADER_SAMPLED_TEXTURE:
     case RHW_SHADER_TEXTURE:
     case RHW_SHADER_STORAGE_IMAGE: return open_image(resource, context, job);
@@ -262,6 +291,39 @@ static bool open_sets(struct cli_shader_resources *resources, const rhw_shader_p
     return is_right;
 }
 
+// Report a result that could not be given, before anything is computed.
+static bool check_result(const struct cli_shader_resources *resources,
+                         const struct cli_shader_resource *resource, const struct cli_shader_binding *asked)
+{
+    const size_t length = strlen(asked->value);
+    if (is_buffer(resource->what)) {
+        return cli_shader_values_are(asked->value) || cli_output_file_check(asked->value);
+    }
+    if (length < 5 || strcasecmp(asked->value + length - 4, ".png") != 0) {
+        cli_error("--result", "'%s': an image is written to a file named .png", asked->argument);
+        return false;
+    }
+    if (rhw_texture_format(resources->context, resource->texture) != RHW_FORMAT_RGBA8_UNORM) {
+        cli_error("--result", "'%s': only an image of 8 bits a channel is written", asked->argument);
+        return false;
+    }
+    return cli_output_file_check(asked->value);
+}
+
+static bool check_results(const struct cli_shader_resources *resources,
+                          const struct cli_shader_bindings *results)
+{
+    for (int i = 0; i < results->count; i++) {
+        for (int r = 0; r < resources->count; r++) {
+            if (cli_shader_binding_is(&results->list[i], resources->list[r].what) &&
+                !check_result(resources, &resources->list[r], &results->list[i])) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
 static bool is_listed(const struct cli_shader_resources *resources, const struct rhw_shader_resource *what)
 {
     for (int i = 0; i < resources->count; i++) {
@@ -291,13 +353,13 @@ bool cli_shader_resources_open(struct cli_shader_resources *resources, rhw_conte
             }
             struct cli_shader_resource *const one = &resources->list[resources->count++];
             one->what = &info->resources[i];
-            if (!open_resource(one, context, job)) {
+            if (!open_resource(one, context, job, files, count)) {
                 return false;
             }
         }
     }
     if (!check_used(&job->buffers, "buffer") || !check_used(&job->textures, "texture") ||
-        !check_used(&job->results, "storage buffer or image") ||
+        !check_used(&job->results, "buffer or storage image") || !check_results(resources, &job->results) ||
         !open_push_constants(resources, job, files, count) || !open_sets(resources, program)) {
         return false;
     }
@@ -339,10 +401,6 @@ static void fill_row(const void *user, int y, void *row)
 bool cli_shader_write_picture(rhw_context *context, rhw_texture texture, int width, int height, int channels,
                               const char *path)
 {
-    if (rhw_texture_format(context, texture) != RHW_FORMAT_RGBA8_UNORM) {
-        cli_error(path, "only an image of 8 bits a channel is written");
-        return false;
-    }
     uint8_t *const texels = malloc(4 * (size_t)width * (size_t)height);
     if (!texels || rhw_texture_read(context, texture, 0, texels, 0) != RHW_OK) {
         cli_error(path, "out of memory");
@@ -376,11 +434,6 @@ static bool give(const struct cli_shader_resources *resources, const struct cli_
     if (is_buffer(resource->what)) {
         return cli_shader_values_print(asked->value, resource->memory, resource->size) ||
                cli_shader_write_bytes(asked->value, resource->memory, resource->size);
-    }
-    const size_t length = strlen(asked->value);
-    if (length < 5 || strcasecmp(asked->value + length - 4, ".png") != 0) {
-        cli_error("--result", "'%s': an image is written to a file named .png", asked->argument);
-        return false;
     }
     return cli_shader_write_picture(resources->context, resource->texture, resource->width, resource->height,
                                     4, asked->value);

@@ -55,6 +55,17 @@ static bool dispatch(rhw_context *context, const struct cli_shader_resources *re
                         (uint32_t)job->groups[2]) == RHW_OK;
 }
 
+static bool writes_integers(const struct cli_shader_file *files, int count)
+{
+    for (int i = 0; i < count; i++) {
+        const struct rhw_shader_info *const info = rhw_shader_get_info(files[i].shader);
+        if (info->stage == RHW_SHADER_FRAGMENT && info->output_count > 0 && info->outputs[0].is_integer) {
+            return true;
+        }
+    }
+    return false;
+}
+
 bool cli_shader_check_run(const struct cli_shader_job *job, const struct cli_shader_file *files, int count)
 {
     const bool computes = files[0].stage == RHW_SHADER_COMPUTE;
@@ -66,6 +77,10 @@ bool cli_shader_check_run(const struct cli_shader_job *job, const struct cli_sha
         cli_error("--run", "of a compute shader needs --result SET:BINDING=f32, i32, u32 or FILE");
     } else if (!computes && !job->out && job->results.count == 0) {
         cli_error("--run", "of a fragment shader needs -o PICTURE.png");
+    } else if (!computes && writes_integers(files, count)) {
+        cli_error("--run",
+                  "draws colours, which are floats, and the first output of the fragment shader is of "
+                  "whole numbers");
     } else {
         return true;
     }

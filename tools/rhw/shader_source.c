@@ -111,6 +111,7 @@ static void report_log(const char *log, const char *path)
     }
 }
 
+// Compile a text, which cli_shader_main_image may have changed.
 static bool compile(struct cli_shader_file *file, const char *text, size_t size,
                     const struct cli_shader_job *job)
 {
@@ -122,8 +123,9 @@ static bool compile(struct cli_shader_file *file, const char *text, size_t size,
         .macro_count = (uint32_t)job->macro_count,
         .include = glsl_include_file,
         .user = &folders,
-        .is_relaxed = job->runs || job->is_relaxed,
+        .is_relaxed = job->runs || job->is_relaxed || file->main_image.text,
         .has_lines = job->print == CLI_SHADER_FORM || job->print == CLI_SHADER_BYTECODE,
+        .before = file->main_image.before,
     };
     const bool compiled =
         glsl_compile(file->stage, text, size, file->path, &options, &code, message, sizeof message);
@@ -135,7 +137,10 @@ static bool compile(struct cli_shader_file *file, const char *text, size_t size,
     const bool is_good = compiled && (!job->is_strict || code.log[0] == 0);
     file->words = code.words;
     file->size = code.size;
+    file->is_relaxed = code.is_relaxed;
+    file->included = code.files;
     code.words = NULL;
+    code.files = NULL;
     glsl_code_free(&code);
     return is_good;
 }
@@ -160,11 +165,18 @@ static bool set_kind(struct cli_shader_file *file)
     if (has_ending(file->path, ".spv")) {
         return true;
     }
+    if (strcmp(file->path, "-") == 0) {
+        cli_error("standard input",
+                  "is not read: the name of a shader's file tells what it is; it ends with .vert, "
+                  ".frag, .comp (GLSL) or .spv (SPIR-V)");
+        return false;
+    }
     cli_error(file->path, "a shader's file is named .vert, .frag, .comp (GLSL) or .spv (SPIR-V)");
     return false;
 }
 
-// Give the constants of the command line to a module, each as what it is there.
+// Give the constants of the command line to a module, each as what it is there. They are its own from here on, also
+// where it is printed or written.
 static bool set_constants(struct cli_shader_file *file, struct cli_shader_job *job)
 {
     const struct cli_shader_words words = cli_shader_words_of(file->words, file->size);
@@ -172,35 +184,32 @@ static bool set_constants(struct cli_shader_file *file, struct cli_shader_job *j
         struct cli_shader_constant *const constant = &job->constants[i];
         const enum cli_shader_constant_kind kind = cli_shader_find_constant(&words, constant->id);
         const float number = (float)constant->number;
-        struct rhw_shader_constant value = {.id = constant->id};
+        uint32_t value = 0;
         if (kind == CLI_CONSTANT_ABSENT) {
             continue;
         }
         if (kind == CLI_CONSTANT_FLOAT) {
-            memcpy(&value.value, &number, sizeof number);
+            memcpy(&value, &number, sizeof number);
         } else if (constant->number != floor(constant->number) || constant->number < INT32_MIN ||
                    constant->number > UINT32_MAX) {
             cli_error("--constant", "'%s': constant %u of %s is a whole number of 32 bits",
                       constant->argument, (unsigned)constant->id, file->path);
             return false;
         } else {
-            value.value = (uint32_t)(int64_t)constant->number;
+            value = (uint32_t)(int64_t)constant->number;
         }
         constant->is_used = true;
-        file->constants[file->constant_count++] = value;
+        cli_shader_set_constant(&words, constant->id, value);
     }
     return true;
 }
 
 struct rhw_shader_def cli_shader_file_def(const struct cli_shader_file *file)
 {
-    return (struct rhw_shader_def){.stage = file->stage,
-                                   .entry_point = file->entry_point,
-                                   .constants = file->constants,
-                                   .constant_count = file->constant_count};
+    return (struct rhw_shader_def){.stage = file->stage, .entry_point = file->entry_point};
 }
 
-static bool translate(struct cli_shader_file *file, struct cli_shader_job *job)
+bool cli_shader_file_translate(struct cli_shader_file *file, struct cli_shader_job *job)
 {
     const struct cli_shader_words words = cli_shader_words_of(file->words, file->size);
     enum rhw_shader_stage stage = file->stage;
@@ -221,7 +230,7 @@ static bool translate(struct cli_shader_file *file, struct cli_shader_job *job)
     return true;
 }
 
-bool cli_shader_file_open(struct cli_shader_file *file, const char *path, struct cli_shader_job *job)
+bool cli_shader_file_open(struct cli_shader_file *file, const char *path, const struct cli_shader_job *job)
 {
     *file = (struct cli_shader_file){.path = path, .stage = RHW_SHADER_FRAGMENT};
     size_t size;
@@ -232,14 +241,27 @@ bool cli_shader_file_open(struct cli_shader_file *file, const char *path, struct
     if (!bytes) {
         return false;
     }
-    if (file->is_text) {
-        const bool compiled = compile(file, bytes, size, job);
-        free(bytes);
-        return compiled && translate(file, job);
+    if (!file->is_text) {
+        file->words = (uint32_t *)(void *)bytes;
+        file->size = size;
+        return true;
     }
-    file->words = (uint32_t *)(void *)bytes;
-    file->size = size;
-    return translate(file, job);
+    bool done = file->stage != RHW_SHADER_FRAGMENT || cli_shader_main_image(bytes, size, &file->main_image);
+    if (!done) {
+        cli_error(path, "out of memory");
+    } else if (file->main_image.text && job->shades_models) {
+        cli_error(
+            path,
+            "has mainImage() and no main(): it covers a picture, which rhw shader --run draws; what shades "
+            "models has void main(), as rhw render --fragment-shader-template shows");
+        done = false;
+    } else if (file->main_image.text) {
+        done = compile(file, file->main_image.text, file->main_image.size, job);
+    } else {
+        done = compile(file, bytes, size, job);
+    }
+    free(bytes);
+    return done;
 }
 
 void cli_shader_file_close(struct cli_shader_file *file)
@@ -247,5 +269,7 @@ void cli_shader_file_close(struct cli_shader_file *file)
     rhw_shader_destroy(file->shader);
     free(file->entry_point);
     free(file->words);
+    free(file->included);
+    free(file->main_image.text);
     *file = (struct cli_shader_file){0};
 }

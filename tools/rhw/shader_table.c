@@ -2,8 +2,12 @@
 // What shaders are, as a table and as JSON; see shader_job.h.
 #include "json.h"
 #include "shader_job.h"
+#include "shader_name.h"
+#include "shader_values.h"
 
+#include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 static const char *const kind_names[] = {
     [RHW_SHADER_UNIFORM_BUFFER] = "uniform buffer",
@@ -15,43 +19,6 @@ static const char *const kind_names[] = {
     [RHW_SHADER_TEXEL_BUFFER] = "texel buffer",
     [RHW_SHADER_INPUT_ATTACHMENT] = "input attachment",
 };
-
-// Write the type of a number, vector or matrix as GLSL calls it.
-static void name_number(const struct rhw_shader_type *type, char name[32])
-{
-    static const char *const scalars[] = {"float", "int", "uint"}, *const letters[] = {"", "i", "u"};
-    const char *const narrow = type->bits == 8 ? "8" : type->bits == 16 ? "16" : "";
-    if (type->columns > 1) {
-        snprintf(name, 32, "mat%ux%u", (unsigned)type->columns, (unsigned)type->rows);
-    } else if (type->rows > 1) {
-        snprintf(name, 32, "%svec%u%s%s", letters[type->kind], (unsigned)type->rows, narrow[0] ? " of " : "",
-                 narrow);
-    } else {
-        snprintf(name, 32, "%s%s", scalars[type->kind], narrow);
-    }
-}
-
-// Write a type as GLSL calls it, with the lengths of its arrays.
-static void name_type(const struct rhw_shader_type *type, char name[160])
-{
-    char lengths[64] = "", inner[32];
-    size_t length = 0;
-    for (; type->kind == RHW_SHADER_ARRAY; type = type->element) {
-        char one[16] = "[]";
-        if (type->count > 0) {
-            snprintf(one, sizeof one, "[%u]", (unsigned)type->count);
-        }
-        if (length + sizeof one < sizeof lengths) {
-            length += (size_t)snprintf(lengths + length, sizeof lengths - length, "%s", one);
-        }
-    }
-    if (type->kind == RHW_SHADER_STRUCT) {
-        snprintf(name, 160, "%.80s%s", type->name[0] ? type->name : "struct", lengths);
-    } else {
-        name_number(type, inner);
-        snprintf(name, 160, "%s%s", inner, lengths);
-    }
-}
 
 // Print a name of the module without what a terminal would obey.
 static void print_name(const char *name)
@@ -74,12 +41,21 @@ bool cli_shader_has_length(const struct rhw_shader_type *type)
 static void print_members(const struct rhw_shader_type *type)
 {
     for (uint32_t i = 0; type && i < type->count; i++) {
-        char name[160];
-        name_type(type->members[i].type, name);
+        char name[CLI_SHADER_TYPE_NAME];
+        cli_shader_name_type(type->members[i].type, name);
         printf("    %6u  %-12s ", (unsigned)type->members[i].offset, name);
         print_name(type->members[i].name);
         putchar('\n');
     }
+}
+
+// Print what kind of image a resource is.
+static void print_image(const struct rhw_shader_resource *resource)
+{
+    char type[CLI_SHADER_TYPE_NAME];
+    const char *const format = cli_shader_format_name(resource);
+    cli_shader_name_image(resource, type);
+    printf("%s%s%s%s", type[0] ? ", " : "", type, format[0] ? ", " : "", format);
 }
 
 static void print_resources(const struct rhw_shader_info *info)
@@ -93,6 +69,7 @@ static void print_resources(const struct rhw_shader_info *info)
         if (resource->count != 1) {
             printf(resource->count > 0 ? "[%u]" : "[]", (unsigned)resource->count);
         }
+        print_image(resource);
         if (resource->type) {
             printf(", %u bytes%s", (unsigned)resource->size,
                    cli_shader_has_length(resource->type) ? "" : " and an array of any length");
@@ -109,16 +86,44 @@ static void print_variables(const char *title, const struct rhw_shader_variable 
     }
     for (uint32_t i = 0; i < count; i++) {
         const struct rhw_shader_variable *const variable = &variables[i];
-        const char *const scalar = variable->is_integer ? "int" : "float", *const letter =
-                                                                               variable->is_integer ? "i"
-                                                                                                    : "";
-        char type[16];
-        snprintf(type, sizeof type, variable->components > 1 ? "%svec%u" : "%s", letter,
-                 (unsigned)variable->components);
+        char type[CLI_SHADER_TYPE_NAME];
+        cli_shader_name_variable(variable, type);
         printf("  location %u%s%.1s  %-6s ", (unsigned)variable->location, variable->component > 0 ? "." : "",
-               variable->component > 0 ? &"xyzw"[variable->component] : "",
-               variable->components > 1 ? type : scalar);
+               variable->component > 0 ? &"xyzw"[variable->component] : "", type);
         print_name(variable->name);
+        putchar('\n');
+    }
+}
+
+// Write a number of a constant as a word of JSON and of the table.
+static void write_constant(const struct rhw_shader_constant_info *constant)
+{
+    float number;
+    memcpy(&number, &constant->value, sizeof number);
+    if (constant->is_bool) {
+        fputs(constant->value ? "true" : "false", stdout);
+    } else if (constant->kind == RHW_SHADER_FLOAT && constant->bits == 32 && isfinite(number)) {
+        cli_shader_values_print_float(constant->value);
+    } else if (constant->kind == RHW_SHADER_FLOAT && constant->bits == 32) {
+        fputs("null", stdout); // JSON has no word for it
+    } else if (constant->kind == RHW_SHADER_INT) {
+        printf("%d", (int)(int32_t)constant->value);
+    } else {
+        printf("%u", (unsigned)constant->value); // of a float of 16 bits: its bits
+    }
+}
+
+static void print_constants(const struct rhw_shader_info *info)
+{
+    if (info->constant_count > 0) {
+        puts("specialization constants");
+    }
+    for (uint32_t i = 0; i < info->constant_count; i++) {
+        const struct rhw_shader_constant_info *const constant = &info->constants[i];
+        printf("  id %-6u  %-6s ", (unsigned)constant->id, cli_shader_constant_type(constant));
+        print_name(constant->name);
+        fputs(constant->name[0] ? " = " : "= ", stdout);
+        write_constant(constant);
         putchar('\n');
     }
 }
@@ -134,6 +139,7 @@ void cli_shader_print_table(const struct cli_shader_file *file)
         printf("push constants, %u bytes\n", (unsigned)info->push_size);
         print_members(info->push_type);
     }
+    print_constants(info);
     print_variables("inputs", info->inputs, info->input_count);
     print_variables("outputs", info->outputs, info->output_count);
     if (info->stage == RHW_SHADER_COMPUTE) {
@@ -148,8 +154,8 @@ static void write_members(const struct rhw_shader_type *type)
 {
     fputs("\"members\": [", stdout);
     for (uint32_t i = 0; type && i < type->count; i++) {
-        char name[160];
-        name_type(type->members[i].type, name);
+        char name[CLI_SHADER_TYPE_NAME];
+        cli_shader_name_type(type->members[i].type, name);
         printf("%s{\"name\": ", i > 0 ? ", " : "");
         cli_json_string(stdout, type->members[i].name);
         printf(", \"offset\": %u, \"type\": ", (unsigned)type->members[i].offset);
@@ -165,8 +171,26 @@ static void write_variables(const char *title, const struct rhw_shader_variable 
     for (uint32_t i = 0; i < count; i++) {
         printf("%s{\"location\": %u, \"component\": %u, \"components\": %u, \"type\": \"%s\", \"name\": ",
                i > 0 ? ", " : "", (unsigned)variables[i].location, (unsigned)variables[i].component,
-               (unsigned)variables[i].components, variables[i].is_integer ? "int" : "float");
+               (unsigned)variables[i].components,
+               !variables[i].is_integer ? "float"
+               : variables[i].is_signed ? "int"
+                                        : "uint");
         cli_json_string(stdout, variables[i].name);
+        putchar('}');
+    }
+    puts("],");
+}
+
+static void write_constants(const struct rhw_shader_info *info)
+{
+    fputs("     \"constants\": [", stdout);
+    for (uint32_t i = 0; i < info->constant_count; i++) {
+        const struct rhw_shader_constant_info *const constant = &info->constants[i];
+        printf("%s{\"id\": %u, \"type\": \"%s\", \"default\": ", i > 0 ? ", " : "", (unsigned)constant->id,
+               cli_shader_constant_type(constant));
+        write_constant(constant);
+        fputs(", \"name\": ", stdout);
+        cli_json_string(stdout, constant->name);
         putchar('}');
     }
     puts("],");
@@ -186,6 +210,11 @@ static void write_shader(const struct cli_shader_file *file)
                i > 0 ? "," : "", (unsigned)resource->set, (unsigned)resource->binding,
                kind_names[resource->kind], (unsigned)resource->count);
         cli_json_string(stdout, resource->name);
+        char image[CLI_SHADER_TYPE_NAME];
+        cli_shader_name_image(resource, image);
+        if (image[0]) {
+            printf(", \"image\": \"%s\", \"format\": \"%s\"", image, cli_shader_format_name(resource));
+        }
         printf(", \"read_only\": %s, \"bytes\": %u, ", resource->is_read_only ? "true" : "false",
                (unsigned)resource->size);
         write_members(resource->type);
@@ -194,6 +223,7 @@ static void write_shader(const struct cli_shader_file *file)
     puts("],");
     write_variables("inputs", info->inputs, info->input_count);
     write_variables("outputs", info->outputs, info->output_count);
+    write_constants(info);
     printf("     \"push_constants\": {\"bytes\": %u, ", (unsigned)info->push_size);
     write_members(info->push_type);
     printf("},\n     \"workgroup\": [%u, %u, %u], \"shared_bytes\": %u}", (unsigned)info->size[0],

@@ -89,8 +89,7 @@ bool cli_shader_values_read(const char *option, const char *argument, const char
     return *bytes != NULL;
 }
 
-// Print the fewest digits that are read as the float again.
-static void print_float(uint32_t bits)
+void cli_shader_values_print_float(uint32_t bits)
 {
     char text[32];
     float number;
@@ -104,20 +103,35 @@ static void print_float(uint32_t bits)
     fputs(text, stdout);
 }
 
+// Find the type of a name. Return false if there is none.
+static bool find_type(const char *name, enum type *type)
+{
+    for (*type = FLOAT; *type <= UINT; ++*type) {
+        if (strcmp(name, type_names[*type]) == 0) {
+            return true;
+        }
+    }
+    return false;
+}
+
+bool cli_shader_values_are(const char *type)
+{
+    enum type kind;
+    return find_type(type, &kind);
+}
+
 bool cli_shader_values_print(const char *type, const void *bytes, size_t size)
 {
-    enum type kind = FLOAT;
-    while (strcmp(type, type_names[kind]) != 0) {
-        if (kind++ == UINT) {
-            return false;
-        }
+    enum type kind;
+    if (!find_type(type, &kind)) {
+        return false;
     }
     for (size_t i = 0; i < size / sizeof(uint32_t); i++) {
         uint32_t bits;
         memcpy(&bits, (const char *)bytes + 4 * i, sizeof bits);
         fputs(i > 0 ? "," : "", stdout);
         if (kind == FLOAT) {
-            print_float(bits);
+            cli_shader_values_print_float(bits);
         } else if (kind == INT) {
             printf("%" PRId32, (int32_t)bits);
         } else {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // rhw shader: what a shader is, what becomes of it, and what it computes.
 #include "shader_job.h"
+#include "shader_values.h"
 #include "verbs.h"
 
 #include <math.h>
@@ -20,6 +21,7 @@ enum {
     OPTION_ENTRY,
     OPTION_CONSTANT,
     OPTION_RELAXED,
+    OPTION_DEPFILE,
     OPTION_RUN, // those from here on belong to it
     OPTION_SIZE,
     OPTION_TIME,
@@ -49,11 +51,14 @@ static const struct cli_option options[] = {
     {"entry", OPTION_ENTRY, "NAME", "entry point; default main, or the first of a module"},
     {"define", OPTION_DEFINE, "MACRO", "define a macro of GLSL: NAME, or NAME=VALUE"},
     {"include", OPTION_INCLUDE, "DIR", "where #include looks, behind the folder of the file"},
-    {"constant", OPTION_CONSTANT, "CONSTANT", "value of a specialization constant: ID=NUMBER"},
+    {"constant", OPTION_CONSTANT, "CONSTANT",
+     "value of a specialization constant: ID=NUMBER; what is written has it, too"},
     {"relaxed", OPTION_RELAXED, NULL,
-     "as OpenGL has it: uniforms outside of blocks make one, and what has no binding\nor location gets the "
-     "next; "
-     "--run does so anyway"},
+     "take what is none for Vulkan as OpenGL has it: uniforms outside of blocks make one,\nwhat has no "
+     "binding or "
+     "location gets the next, and of two FILEs that of its name;\n--run does so anyway"},
+    {"depfile", OPTION_DEPFILE, "FILE",
+     "with --out, write a rule for make that names all files that OUT is made of"},
     {"run", OPTION_RUN, NULL,
      "draw with a fragment shader on all of a picture, or dispatch a compute shader"},
     {"size", OPTION_SIZE, "WxH", "pixels of the picture, or N for a square; default 512x512"},
@@ -87,6 +92,8 @@ static const char notes[] =
     "  vec3 iResolution   pixels of the picture, and 1\n"
     "  float iTime        seconds, as of --time\n"
     "  vec4 iMouse        pixels, as of --mouse\n"
+    "A text with mainImage() in place of main(), as ShaderToy has it, has these, iFrame and iChannel0 to "
+    "iChannel3.\n"
     "What no option gives is 0. A vertex shader that is run draws one triangle without attributes.\n"
     "Textures repeat and are filtered linearly. The picture has the numbers of the first output, clamped to "
     "0..1.\n\n"
@@ -180,6 +187,19 @@ static bool parse_binding(struct cli_shader_bindings *bindings, const char *opti
     return true;
 }
 
+// A form that is misspelt is not to become the name of a file.
+static bool check_result(const struct cli_shader_job *job)
+{
+    const struct cli_shader_binding *const result = &job->results.list[job->results.count - 1];
+    if (cli_shader_values_are(result->value) || strpbrk(result->value, "./") ||
+        strcmp(result->value, "-") == 0) {
+        return true;
+    }
+    cli_error("--result", "'%s': %s is not f32, i32 or u32, and the name of a file has a point or a slash",
+              result->argument, result->value);
+    return false;
+}
+
 static bool parse_groups(int groups[3], const char *argument)
 {
     double numbers[3];
@@ -222,7 +242,7 @@ static bool parse_run_option(struct cli_shader_job *job, int id, const char *arg
     case OPTION_GROUPS: return parse_groups(job->groups, argument);
     case OPTION_BUFFER: return parse_binding(&job->buffers, "--buffer", argument);
     case OPTION_PUSH: job->push = argument; return true;
-    case OPTION_RESULT: return parse_binding(&job->results, "--result", argument);
+    case OPTION_RESULT: return parse_binding(&job->results, "--result", argument) && check_result(job);
     case OPTION_THREADS:
         if (cli_parse_int(argument, 1, 64, &job->threads)) {
             return true;
@@ -253,6 +273,7 @@ static bool parse_option(struct cli_shader_job *job, int id, char *argument)
     case OPTION_ALL_ERRORS: job->all_errors = true; return true;
     case OPTION_STRICT: job->is_strict = true; return true;
     case OPTION_RELAXED: job->is_relaxed = true; return true;
+    case OPTION_DEPFILE: job->depfile = argument; return true;
     case OPTION_ENTRY: job->entry_point = argument; return true;
     case OPTION_DEFINE: return parse_define(job, argument);
     case OPTION_INCLUDE:
@@ -288,6 +309,8 @@ static bool check_options(const struct cli_shader_job *job, int files, const cha
         cli_error("--json", "goes with --print info alone");
     } else if (job->has_step && job->print != CLI_SHADER_FORM) {
         cli_error("--after", "goes with --print ir alone");
+    } else if (job->depfile && (!job->out || job->runs)) {
+        cli_error("--depfile", "goes with -o OUT.spv or OUT.c alone");
     } else if (run_option && !job->runs) {
         char name[32];
         snprintf(name, sizeof name, "--%s", run_option);
@@ -398,6 +421,7 @@ static bool work(struct cli_shader_job *job, struct cli_shader_file *files, int 
     } else if (done && job->out) {
         done = cli_shader_write_bytes(job->out, files[0].words, files[0].size);
     }
+    done = done && (!job->depfile || cli_shader_write_depfile(job->depfile, job->out, files, count));
     if (done && !job->runs && job->json) {
         cli_shader_print_json(files, count);
     } else if (done && !job->runs && (job->print != CLI_SHADER_NOTHING || !job->out)) {
@@ -435,7 +459,8 @@ int cli_shader(int argc, char **argv)
         !check_options(&job, parser.operand_count, run_option)) {
         return CLI_USAGE;
     }
-    if (job.out && !cli_output_file_check(job.out)) {
+    if ((job.out && !cli_output_file_check(job.out)) ||
+        (job.depfile && !cli_output_file_check(job.depfile))) {
         return CLI_FAILED;
     }
     cli_budget_apply(&job.budget, parser.operands[0]);
@@ -444,6 +469,10 @@ int cli_shader(int argc, char **argv)
     while (done && count < parser.operand_count) {
         done = cli_shader_file_open(&files[count], parser.operands[count], &job);
         count++;
+    }
+    done = done && cli_shader_match(files, count);
+    for (int i = 0; i < count && done; i++) {
+        done = cli_shader_file_translate(&files[i], &job);
     }
     const bool is_usage = done && job.runs && !cli_shader_check_run(&job, files, count);
     done = done && !is_usage && work(&job, files, count);

@@ -18,7 +18,7 @@ enum {
     SPEC_ID = 1
 };
 
-struct cli_shader_words cli_shader_words_of(const uint32_t *words, size_t size)
+struct cli_shader_words cli_shader_words_of(uint32_t *words, size_t size)
 {
     return (struct cli_shader_words){.words = words,
                                      .count = size / sizeof *words,
@@ -95,30 +95,62 @@ static bool is_float(const struct cli_shader_words *words, uint32_t type)
     return false;
 }
 
-// Return what the specialization constant of an id is.
-static enum cli_shader_constant_kind kind_of(const struct cli_shader_words *words, uint32_t target)
+// Find the specialization constant that an id is. Return 0 if it is none.
+static size_t place_of(const struct cli_shader_words *words, uint32_t target)
 {
     for (uint32_t opcode = OP_SPEC_CONSTANT_TRUE; opcode <= OP_SPEC_CONSTANT; opcode++) {
         size_t count;
         for (size_t place = HEADER_WORDS; (count = find(words, opcode, &place)) > 0; place += count) {
-            if (count < 3 || word_at(words, place + 2) != target) {
-                continue;
+            if (count > (opcode == OP_SPEC_CONSTANT ? 3 : 2) && word_at(words, place + 2) == target) {
+                return place;
             }
-            return opcode != OP_SPEC_CONSTANT                   ? CLI_CONSTANT_BOOL
-                   : is_float(words, word_at(words, place + 1)) ? CLI_CONSTANT_FLOAT
-                                                                : CLI_CONSTANT_INT;
         }
     }
-    return CLI_CONSTANT_ABSENT;
+    return 0;
+}
+
+// Find the next constant of a SpecId, whose decoration stands at or behind *place. Return 0 if there is none.
+static size_t find_constant(const struct cli_shader_words *words, uint32_t id, size_t *place)
+{
+    size_t count;
+    while ((count = find(words, OP_DECORATE, place)) > 0) {
+        const bool is_meant =
+            count > 3 && word_at(words, *place + 2) == SPEC_ID && word_at(words, *place + 3) == id;
+        const size_t found = is_meant ? place_of(words, word_at(words, *place + 1)) : 0;
+        *place += count;
+        if (found > 0) {
+            return found;
+        }
+    }
+    return 0;
 }
 
 enum cli_shader_constant_kind cli_shader_find_constant(const struct cli_shader_words *words, uint32_t id)
 {
-    size_t count;
-    for (size_t place = HEADER_WORDS; (count = find(words, OP_DECORATE, &place)) > 0; place += count) {
-        if (count > 3 && word_at(words, place + 2) == SPEC_ID && word_at(words, place + 3) == id) {
-            return kind_of(words, word_at(words, place + 1));
+    size_t place = HEADER_WORDS;
+    const size_t found = find_constant(words, id, &place);
+    return found == 0                                             ? CLI_CONSTANT_ABSENT
+           : (word_at(words, found) & 0xffff) != OP_SPEC_CONSTANT ? CLI_CONSTANT_BOOL
+           : is_float(words, word_at(words, found + 1))           ? CLI_CONSTANT_FLOAT
+                                                                  : CLI_CONSTANT_INT;
+}
+
+static void put_word(const struct cli_shader_words *words, size_t place, uint32_t word)
+{
+    words->words[place] = word;
+    words->words[place] = word_at(words, place); // the order of bytes of the module
+}
+
+void cli_shader_set_constant(const struct cli_shader_words *words, uint32_t id, uint32_t value)
+{
+    size_t found;
+    for (size_t place = HEADER_WORDS; (found = find_constant(words, id, &place)) > 0;) {
+        const uint32_t first = word_at(words, found);
+        if ((first & 0xffff) == OP_SPEC_CONSTANT) {
+            put_word(words, found + 3, value);
+        } else {
+            put_word(words, found,
+                     (first & 0xffff0000) | (value != 0 ? OP_SPEC_CONSTANT_TRUE : OP_SPEC_CONSTANT_FALSE));
         }
     }
-    return CLI_CONSTANT_ABSENT;
 }

@@ -6,12 +6,12 @@
 #include <rhw/spirv.h>
 
 struct cli_shader_words {
-    const uint32_t *words;
+    uint32_t *words;
     size_t count;
     bool is_swapped;
 };
 
-struct cli_shader_words cli_shader_words_of(const uint32_t *words, size_t size);
+struct cli_shader_words cli_shader_words_of(uint32_t *words, size_t size);
 
 /// Find the entry point of a name, or, where that is NULL, "main" or the first. Return its name by malloc, and set its
 /// stage. Return NULL if there is none that rhw has a stage for.
@@ -27,5 +27,8 @@ enum cli_shader_constant_kind {
 
 /// Return what the constant of a SpecId is.
 enum cli_shader_constant_kind cli_shader_find_constant(const struct cli_shader_words *words, uint32_t id);
+
+/// Make a number what the constants of a SpecId have where nobody chooses: its bits, or of a truth 0 or another number.
+void cli_shader_set_constant(const struct cli_shader_words *words, uint32_t id, uint32_t value);
 
 #endif

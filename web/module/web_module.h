@@ -41,6 +41,9 @@ struct web_scene;
 /// after a message.
 struct web_scene *web_scene_open(void *bytes, size_t size, char *words, size_t words_size);
 void web_scene_close(struct web_scene *scene);
+/// From now on a fragment shader, in SPIR-V of `size` bytes, shades what rhw render --fragment-shader would; 0: none does.
+/// The words are copied. False after a message, and then none does.
+bool web_scene_shade(struct web_scene *scene, const void *words, size_t size);
 /// Chooses the view that the words ask for and draws nothing. False after a message.
 bool web_scene_look(struct web_scene *scene, char *words, size_t size);
 /// Draws it. `outputs`: scene_output. False after a message, or without one when the module's goesOn(), a function of

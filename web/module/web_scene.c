@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A model that JavaScript holds, and the pictures of it: rhw render, explain and info without files.
 #include "explain_draw.h"
+#include "fragment_program.h"
 #include "import/blob.h"
 #include "info_print.h"
 #include "message.h"
@@ -15,13 +16,28 @@ struct web_scene {
     struct render render;
     void *bytes; // the model stands on them
     char *name;
+    void *words; // SPIR-V of the shader that shades instead of materials; NULL: none
+    size_t words_size;
     double view[WEB_VIEW_NUMBERS];
 };
+
+// Take a shader away. Pipelines of it go with what is drawn.
+static void drop_shader(struct web_scene *scene)
+{
+    struct render *const render = &scene->render;
+    scene_destroy(render->scene);
+    rhw_shader_program_destroy(render->shader);
+    free(scene->words);
+    render->scene = NULL;
+    render->shader = NULL;
+    scene->words = NULL;
+    scene->words_size = 0;
+}
 
 EMSCRIPTEN_KEEPALIVE void web_scene_close(struct web_scene *scene)
 {
     scene_pictures_free(&scene->render.pictures);
-    scene_destroy(scene->render.scene);
+    drop_shader(scene);
     rhw_context_destroy(scene->render.context);
     web_free(scene->bytes);
     free(scene->name);
@@ -82,9 +98,61 @@ static bool goes_on(void *user)
     return ask_whether_it_goes_on() != 0;
 }
 
+// The context stays for good: its threads have all workers that there are.
 static bool open_scene(struct web_scene *scene)
 {
-    return scene->render.scene || cli_render_open_scene(&scene->render);
+    struct render *const render = &scene->render;
+    if (render->scene) {
+        return true;
+    }
+    if (!render->context) {
+        return cli_render_open_scene(render);
+    }
+    const enum rhw_result result = scene_create(render->context, render->model, &render->scene);
+    if (result != RHW_OK) {
+        cli_error(render->job.model_path, "%s", rhw_result_string(result));
+    }
+    return result == RHW_OK;
+}
+
+// Make the program of a shader. Return NULL after a message.
+static rhw_shader_program *create_program(const void *words, size_t size)
+{
+    static const char name[] = "fragmentShader";
+    const struct rhw_shader_def def = {.stage = RHW_SHADER_FRAGMENT};
+    char message[RHW_SHADER_MESSAGE];
+    rhw_shader *shader;
+    if (rhw_shader_create(words, size, &def, &shader, message) != RHW_OK) {
+        cli_error(name, "%s", message);
+        return NULL;
+    }
+    rhw_shader_program *const program = cli_fragment_program_create(name, shader, false);
+    rhw_shader_destroy(shader);
+    return program;
+}
+
+EMSCRIPTEN_KEEPALIVE bool web_scene_shade(struct web_scene *scene, const void *words, size_t size)
+{
+    web_messages_clear();
+    if (size == scene->words_size && (size == 0 || memcmp(words, scene->words, size) == 0)) {
+        return true;
+    }
+    drop_shader(scene);
+    if (size == 0) {
+        return true;
+    }
+    scene->render.shader = create_program(words, size);
+    scene->words = scene->render.shader ? malloc(size) : NULL;
+    if (!scene->words) {
+        if (scene->render.shader) {
+            cli_error("fragmentShader", "out of memory");
+        }
+        drop_shader(scene);
+        return false;
+    }
+    memcpy(scene->words, words, size);
+    scene->words_size = size;
+    return true;
 }
 
 EMSCRIPTEN_KEEPALIVE bool web_scene_look(struct web_scene *scene, char *words, size_t size)
@@ -98,6 +166,8 @@ EMSCRIPTEN_KEEPALIVE bool web_scene_render(struct web_scene *scene, char *words,
     if (!look(scene, words, size)) {
         return false;
     }
+    // The words ask for every output, some of which a shader does not have.
+    scene->render.view.program = scene->render.shader ? rhw_shader_program_get(scene->render.shader) : NULL;
     scene->render.view.outputs = outputs;
     scene->render.view.goes_on = goes_on;
     char error[256];

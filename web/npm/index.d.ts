@@ -223,6 +223,11 @@ export interface RenderOptions {
     /** Brighter by this many factors of two, -20 to 20. */
     exposure?: number;
     /**
+     * A fragment shader in SPIR-V that shades the model instead of its materials. What it reads and writes is that of
+     * `rhw render --fragment-shader`; `rhw shader mine.frag -o mine.spv` and `glslangValidator -V` make it of GLSL.
+     */
+    fragmentShader?: ArrayBuffer | ArrayBufferView;
+    /**
      * Asked all the while that a picture is drawn, hundreds of times a second; `false` gives it up within a few
      * milliseconds, which is an {@link RhwError}. The scene can draw again. A worker that draws hears no message
      * meanwhile; it may look into shared memory here.

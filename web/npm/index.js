@@ -183,7 +183,9 @@ export class Scene {
         const outputs = this.#held().outputs();
         checkOutputs(outputs, names);
         const bits = names.reduce((sum, name) => sum | outputs[name].bit, 0);
-        this.#askWhile(options, () => this.#ask('_web_scene_render', drawingWords(options), bits));
+        const words = drawingWords(options);
+        this.#shade(options.fragmentShader);
+        this.#askWhile(options, () => this.#ask('_web_scene_render', words, bits));
         const { view, origin } = this.#view();
         const pixels = view.width * view.height;
         const pictures = names.map((name) => {
@@ -196,6 +198,9 @@ export class Scene {
     }
 
     explain(x, y, { sample = 0, ...options } = {}) {
+        if (options.fragmentShader !== undefined) {
+            throw new RhwError('rhw: fragmentShader: cannot be explained');
+        }
         if (![x, y, sample].every((number) => Number.isInteger(number) && number >= 0 && number < 16384)) {
             throw new RhwError(`rhw: explain: ${x},${y}, sample ${sample} is no sample of a pixel, from 0,0 on`);
         }
@@ -226,6 +231,18 @@ export class Scene {
         const all = [`--threads=${this.#threads}`, ...words, '--', 'model'];
         const instance = this.#held();
         if (!instance.withWords(all, (...place) => this.#call(name, ...place, ...values))) {
+            throw instance.error();
+        }
+    }
+
+    // Shades by SPIR-V from now on, or by materials.
+    #shade(words) {
+        const instance = this.#held();
+        const bytes = words === undefined ? new Uint8Array() : bytesOf(words, 'fragmentShader');
+        const address = instance.copyIn(bytes);
+        const isTaken = this.#call('_web_scene_shade', address, bytes.length);
+        instance.free(address);
+        if (!isTaken) {
             throw instance.error();
         }
     }

@@ -82,7 +82,7 @@ const drawing = {
 };
 
 // Names of options that are no words.
-const others = { reading: ['name', 'files', 'threads', 'signal'], drawing: ['outputs', 'goesOn', 'signal'] };
+const others = { reading: ['name', 'files', 'threads', 'signal'], drawing: ['outputs', 'fragmentShader', 'goesOn', 'signal'] };
 
 // What the program calls otherwise than the options and arguments here.
 const renamed = { 'camera-index': 'camera', 'camera-name': 'camera', at: 'explain', sample: 'sample' };

@@ -134,6 +134,20 @@ static void test_relaxed_uniforms_make_a_block(void **state)
         "folder/x.frag:1: 'non-opaque uniforms outside a block' : not allowed when using GLSL for Vulkan");
 }
 
+static void test_lines_before_a_text_are_none_of_it(void **state)
+{
+    (void)state;
+    need_glslang();
+    char message[RHW_SHADER_MESSAGE];
+    struct glsl_code code;
+    const struct glsl_options options = {.before = "float part() { return 0.5; }", .is_relaxed = true};
+    assert_true(compile("#version 450\nlayout(location = 0) out vec4 c;\nvoid main() { c = vec4(part()); }",
+                        &options, &code, message));
+    assert_false(code.is_relaxed); // nothing is missing
+    glsl_code_free(&code);
+    expect_error("void main() { c = 1; }", &options, "folder/x.frag:1: 'c' : undeclared identifier");
+}
+
 static void test_errors_about_no_word_are_short(void **state)
 {
     (void)state;
@@ -271,6 +285,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_warnings_are_told_with_code),
     cmocka_unit_test(test_macros_are_defined),
     cmocka_unit_test(test_relaxed_uniforms_make_a_block),
+    cmocka_unit_test(test_lines_before_a_text_are_none_of_it),
     cmocka_unit_test(test_includes_are_asked_for),
     cmocka_unit_test(test_constants_are_what_shaders_compute),
     cmocka_unit_test(test_crashes_are_told),

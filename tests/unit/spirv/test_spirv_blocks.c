@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Reflection tells what images are, and what stands where in blocks: offsets and strides of std140 and std430, as the
+// Reflection tells what images are, which constants are chosen, and what stands where in blocks: offsets and strides of std140 and std430, as the
 // GLSL text asks for them.
 #include <rhw/spirv.h>
 #include <string.h>
@@ -81,7 +81,7 @@ static void test_uniform_block(void **state)
 static void test_storage_blocks_and_push_constants(void **state)
 {
     (void)state;
-    assert_int_equal(info->resource_count, 4);
+    assert_int_equal(info->resource_count, 5);
     const struct rhw_shader_resource *const weights = &info->resources[1], *const sink = &info->resources[2];
     assert_string_equal(weights->name, "Weights"); // the block, as it has no other name
     assert_true(weights->is_read_only);
@@ -106,10 +106,38 @@ static void test_images(void **state)
     assert_true(layers->is_array && layers->is_integer && layers->is_read_only);
     assert_false(layers->is_multisampled);
     assert_null(layers->type);
+    assert_false(layers->is_signed || layers->is_depth);
+    assert_int_equal(layers->format, 0);
+    const struct rhw_shader_resource *const store = &info->resources[4];
+    assert_true(store->is_integer && store->is_signed);
+    assert_int_equal(store->format, 26); // Rg16i
+}
+
+static void test_constants(void **state)
+{
+    (void)state;
+    const float half = 0.5f;
+    uint32_t bits;
+    memcpy(&bits, &half, sizeof bits);
+    const struct rhw_shader_constant_info expected[] = {
+        {.id = 2, .kind = RHW_SHADER_UINT, .is_bool = true, .bits = 32, .value = 1, .name = "IS_ON"},
+        {.id = 5, .kind = RHW_SHADER_INT, .bits = 32, .value = (uint32_t)-3, .name = "MOST"},
+        {.id = 7, .kind = RHW_SHADER_FLOAT, .bits = 32, .value = bits, .name = "SCALE"}};
+    assert_int_equal(info->constant_count, 3);
+    for (uint32_t i = 0; i < 3; i++) {
+        const struct rhw_shader_constant_info *const one = &info->constants[i], *const other = &expected[i];
+        assert_string_equal(one->name, other->name);
+        assert_int_equal(one->id, other->id);
+        assert_int_equal(one->kind, other->kind);
+        assert_int_equal(one->is_bool, other->is_bool);
+        assert_int_equal(one->bits, other->bits);
+        assert_int_equal(one->value, other->value);
+    }
 }
 
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_images),
+    cmocka_unit_test(test_constants),
     cmocka_unit_test(test_uniform_block),
     cmocka_unit_test(test_storage_blocks_and_push_constants),
 };

@@ -129,11 +129,12 @@ _rhw_shader() { # CURRENT PREVIOUS
     --print | --print=) _rhw_words "$1" info spirv ir bytecode ;;
     --after | --after=) _rhw_words "$1" build passes ;;
     --include | --include= | -I) _rhw_files "$1" ;;
+    --depfile | --depfile=) _rhw_files "$1" ;;
     --size | --size=) _rhw_words "$1" 512 1280x720 1920x1080 1024x1024 3840x2160 ;;
     --max-memory | --max-memory=) _rhw_words "$1" 512M 1G 2G 4G ;;
     --max-time | --max-time=) _rhw_words "$1" 10 60 300 ;;
     --entry | --entry= | --define | --define= | -D | --constant | --constant= | --time | --time= | --mouse | --mouse= | --texture | --texture= | --groups | --groups= | --buffer | --buffer= | --push | --push= | --result | --result= | --threads | --threads=) ;;
-    *) _rhw_rest "$1" file --out --print --after --json --all-errors --strict --entry --define --include --constant --relaxed --run --size --time --mouse --texture --groups --buffer --push --result --threads --max-memory --max-time --help ;;
+    *) _rhw_rest "$1" file --out --print --after --json --all-errors --strict --entry --define --include --constant --relaxed --depfile --run --size --time --mouse --texture --groups --buffer --push --result --threads --max-memory --max-time --help ;;
     esac
 }
 
