@@ -196,6 +196,7 @@ static void link_compute(rhw_shader_program *program)
         compute->size[i] = (int)shader->info.size[i];
     }
     compute->shared_size = shader->info.shared_size;
+    compute->invocation_size = shader->bytecode->invocation_size;
     compute->uniform_size = sizeof(struct rhw_shader_frame);
     compute->uses_atomic_results = shader->interface.uses_atomic_results;
     compute->user = &program->stages;
