@@ -2,8 +2,8 @@
 // What was made, kept for whoever asks for the same again.
 //
 // A struct shader_kept is the first member of a shader and of a program. It counts their users: whoever made them,
-// programs that were linked of a shader, and the cache that has it. The links of a cache stand in what it keeps, so that
-// it takes no memory that could be missing. Nothing of what is kept changes any more, so that users need no lock.
+// programs that were linked of a shader, and the cache that has it. The links of a cache stand in what it keeps, so
+// that it takes no memory that could be missing. Nothing of what is kept changes any more, so that users need no lock.
 #ifndef SHADER_CACHE_H
 #define SHADER_CACHE_H
 
