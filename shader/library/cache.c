@@ -52,13 +52,25 @@ void shader_release(const struct shader_kept *kept)
 
 // Keys -----------------------------------------------------------------------------------------------
 
-static uint64_t mix(uint64_t hash, const unsigned char *bytes, size_t size)
+static uint64_t mix(uint64_t hash, uint64_t piece)
 {
-    for (size_t i = 0; i < size; i += sizeof(uint64_t)) {
-        uint64_t piece = 0;
-        memcpy(&piece, bytes + i, size - i < sizeof piece ? size - i : sizeof piece);
-        hash = (hash ^ piece) * 0x9e3779b97f4a7c15u; // 2^64 by the golden ratio
-        hash ^= hash >> 32;
+    hash = (hash ^ piece) * 0x9e3779b97f4a7c15u; // 2^64 by the golden ratio
+    return hash ^ hash >> 32;
+}
+
+static uint64_t mix_part(uint64_t hash, const struct shader_key_part *part)
+{
+    const unsigned char *bytes = part->bytes;
+    size_t left = part->size;
+    uint64_t piece = 0;
+    for (; left >= sizeof piece; left -= sizeof piece, bytes += sizeof piece) {
+        memcpy(&piece, bytes, sizeof piece);
+        hash = mix(hash, piece);
+    }
+    if (left > 0) {
+        piece = 0;
+        memcpy(&piece, bytes, left);
+        hash = mix(hash, piece);
     }
     return hash;
 }
@@ -67,7 +79,7 @@ static uint64_t hash_of(const struct shader_key *key)
 {
     uint64_t hash = 0;
     for (int i = 0; i < SHADER_KEY_PARTS; i++) {
-        hash = mix(hash, key->parts[i].bytes, key->parts[i].size);
+        hash = mix_part(hash, &key->parts[i]);
     }
     return hash;
 }
