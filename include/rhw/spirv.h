@@ -24,7 +24,7 @@ enum {
     RHW_SHADER_MAX_IDS = 1 << 20,   ///< ids of a module, its bound
     RHW_SHADER_MAX_VALUES =
         1 << 18, ///< operations on scalars of a shader, after its calls are put in their places
-    RHW_SHADER_MAX_NESTING = 128,      ///< selections and loops inside each other
+    RHW_SHADER_MAX_NESTING = 128,      ///< selections, loops and calls inside each other
     RHW_SHADER_MAX_MEMORY = 256 << 20, ///< bytes that a translation may take
     RHW_SHADER_MESSAGE = 256           ///< bytes of a message, with the 0 at its end
 };

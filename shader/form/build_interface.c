@@ -121,6 +121,13 @@ static enum shader_type_kind component_kind(const struct shader_type *type)
     return type->kind == SHADER_VECTOR || type->kind == SHADER_ARRAY ? type->element->kind : type->kind;
 }
 
+// Return a component of what is built in and has no slot.
+static uint32_t value_without_slot(struct shader_builder *builder, int number, uint32_t component)
+{
+    const uint32_t value = shader_subgroup_built_in(builder, number, component);
+    return value != SHADER_NO_VALUE ? value : shader_number(builder, 0);
+}
+
 static void add_built_in(struct interface_walk *walk, const struct shader_type *type, int number)
 {
     struct shader_builder *const builder = walk->builder;
@@ -143,8 +150,7 @@ static void add_built_in(struct interface_walk *walk, const struct shader_type *
             // Distances of fragments are interpolated as other inputs are.
             const bool is_varying = table[i].slot >= SHADER_IN_CLIP_DISTANCE && !is_output;
             if (table[i].slot == NO_SLOT) {
-                const uint32_t value = shader_subgroup_built_in(builder, number, c);
-                walk->scalars[walk->next++] = value == SHADER_NO_VALUE ? shader_number(builder, 0) : value;
+                walk->scalars[walk->next++] = value_without_slot(builder, number, c);
             } else {
                 add_scalar(walk, is_varying ? SHADER_INPUT : SHADER_BUILT_IN, (uint32_t)table[i].slot + c);
             }

@@ -281,6 +281,7 @@ enum rhw_result rhw_shader_program_create(const struct rhw_shader_program_def *d
         shader_say(text, "%s", misuse);
         return RHW_ERROR_MISUSE;
     }
+    // With the parts of the key: all that the definition has but its cache.
     const size_t begin[] = {STAGES, def->layout != NULL};
     const rhw_shader *const shaders[STAGES] = {def->vertex, def->fragment, def->compute};
     const struct shader_key key = {

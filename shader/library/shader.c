@@ -139,6 +139,7 @@ enum rhw_result rhw_shader_create(const void *words, size_t size, const struct r
         return RHW_ERROR_MISUSE;
     }
     const char *const entry = def->entry_point ? def->entry_point : "main";
+    // With the parts of the key: all that the definition has but its cache.
     const size_t begin[] = {(size_t)def->stage, strlen(entry), def->constant_count};
     const struct shader_key key = {{{begin, sizeof begin},
                                     {entry, strlen(entry)},

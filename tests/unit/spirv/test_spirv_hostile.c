@@ -228,6 +228,8 @@ static void test_calls_that_double(void **state)
     finish("calls", "refused: more than 262144 operations", &module);
     put_calls(&module, 16, 100000);
     finish("calls of what does nothing", "refused: too many instructions", &module);
+    put_calls(&module, RHW_SHADER_MAX_NESTING, 0);
+    finish("calls within each other", "refused: nested more than 128 deep", &module);
 }
 
 // Constants that fall into one bucket of any table that takes the upper bits of a product.
