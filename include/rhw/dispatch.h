@@ -12,7 +12,7 @@ enum {
     RHW_MAX_WORKGROUP_INVOCATIONS = 1024, ///< invocations of a workgroup, in all directions together
     RHW_MAX_WORKGROUP_COUNT = 65535,      ///< workgroups of a dispatch in each direction
     RHW_MAX_SHARED_SIZE = 1 << 16,        ///< bytes that the invocations of a workgroup share
-    RHW_MAX_INVOCATION_SIZE = 1 << 12     ///< bytes that an invocation of the one-at-a-time form keeps
+    RHW_MAX_INVOCATION_SIZE = 1 << 12     ///< bytes that an invocation keeps from one barrier to the next
 };
 
 struct rhw_workgroup;
@@ -37,8 +37,8 @@ struct rhw_compute_program {
     /// together.
     int size[3];
     uint32_t shared_size; ///< bytes at `shared`, 0..RHW_MAX_SHARED_SIZE; they are 0 when a workgroup begins
-    /// Bytes at `memory` of the one-at-a-time form, 0..RHW_MAX_INVOCATION_SIZE. Each invocation keeps them from one
-    /// barrier to the next. They are 0 when a workgroup begins.
+    /// Bytes at `memory` for each invocation, 0..RHW_MAX_INVOCATION_SIZE, which it keeps from one barrier to the next.
+    /// Those of the one-at-a-time form are 0 when a workgroup begins.
     uint32_t invocation_size;
     uint32_t uniform_size; ///< bytes that the function reads at `uniforms`, 0..RHW_MAX_UNIFORM_SIZE
     const void *user;      ///< pointer that the function receives as `user`; see rhw_program.user

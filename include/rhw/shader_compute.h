@@ -34,6 +34,9 @@ struct rhw_workgroup {
     int32_t counts[3];                    ///< workgroups of the dispatch in each direction (NumWorkgroups)
     int32_t size[3];                      ///< invocations of a workgroup in each direction (WorkgroupSize)
     void *shared;                         ///< shared_size bytes, 0 at first, aligned to 64 bytes
+    /// invocation_size bytes for each of the 8 lanes of every group, aligned to 64 bytes. Their order is the
+    /// function's, and they hold anything at first.
+    void *memory;
     const void *uniforms;
     const void *user;                    ///< rhw_compute_program.user
     const struct rhw_bindings *bindings; ///< what storage and sampling functions take

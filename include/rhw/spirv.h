@@ -24,10 +24,27 @@ enum {
     RHW_SHADER_MAX_IDS = 1 << 20,   ///< ids of a module, its bound
     RHW_SHADER_MAX_VALUES =
         1 << 18, ///< operations on scalars of a shader, after its calls are put in their places
-    RHW_SHADER_MAX_NESTING = 128,      ///< selections and loops inside each other
+    RHW_SHADER_MAX_NESTING = 128,      ///< selections, loops and calls inside each other
     RHW_SHADER_MAX_MEMORY = 256 << 20, ///< bytes that a translation may take
     RHW_SHADER_MESSAGE = 256           ///< bytes of a message, with the 0 at its end
 };
+
+// Cache ----------------------------------------------------------------------------------------------
+
+/// What was translated and linked, for whoever asks for the same again. A program that makes pipelines over and over
+/// has one and names it in its definitions. Any number of threads may use one at the same time.
+typedef struct rhw_shader_cache rhw_shader_cache;
+
+/// Create a cache that keeps at most `bound` bytes. Where more come, what was asked for least recently goes. A shader
+/// counts with its memory and its words, and again with every program that was linked of it. Return
+/// RHW_ERROR_OUT_OF_MEMORY, with *cache NULL, on failure.
+RHW_API enum rhw_result rhw_shader_cache_create(size_t bound, rhw_shader_cache **cache);
+/// Destroy a cache, which may be NULL, when no thread uses it any more. What was made with it goes on.
+RHW_API void rhw_shader_cache_destroy(rhw_shader_cache *cache);
+/// Take everything out of a cache. What somebody still has goes on.
+RHW_API void rhw_shader_cache_clear(rhw_shader_cache *cache);
+/// Return the bytes that a cache keeps.
+RHW_API size_t rhw_shader_cache_get_size(rhw_shader_cache *cache);
 
 // Shaders --------------------------------------------------------------------------------------------
 
@@ -44,6 +61,8 @@ struct rhw_shader_def {
     const char *entry_point; ///< NULL means "main"
     const struct rhw_shader_constant *constants;
     uint32_t constant_count;
+    /// A cache gives the shader again that it has of equal words, stage, entry point and constants. NULL: a new one.
+    rhw_shader_cache *cache;
 };
 
 /// A translated shader.
@@ -54,7 +73,7 @@ typedef struct rhw_shader rhw_shader;
 /// *shader is NULL, and `message`, which has RHW_SHADER_MESSAGE bytes or is NULL, gets one line.
 RHW_API enum rhw_result rhw_shader_create(const void *words, size_t size, const struct rhw_shader_def *def,
                                           rhw_shader **shader, char *message);
-/// Destroy a shader, which may be NULL. Programs that were linked of it go on.
+/// Destroy a shader, which may be NULL, as often as it was created. Programs that were linked of it go on.
 RHW_API void rhw_shader_destroy(rhw_shader *shader);
 
 /// What rhw_shader_print shows of a translation.
@@ -194,6 +213,9 @@ struct rhw_shader_program_def {
     /// where a binding that both name has the larger count.
     const struct rhw_shader_layout *layout;
     uint32_t layout_count;
+    /// A cache gives the program again that it has of the same shaders, which come from it as well, and of an equal
+    /// layout. NULL: a new one.
+    rhw_shader_cache *cache;
 };
 
 /// Shaders that fit together.
@@ -203,7 +225,8 @@ typedef struct rhw_shader_program rhw_shader_program;
 /// rhw_shader_create does, or RHW_ERROR_OUT_OF_MEMORY; *program is NULL then.
 RHW_API enum rhw_result rhw_shader_program_create(const struct rhw_shader_program_def *def,
                                                   rhw_shader_program **program, char *message);
-/// Destroy a program, which may be NULL. No pipeline of it exists any more, and no dispatch of it is under way.
+/// Destroy a program, which may be NULL, as often as it was created. The last time, no pipeline of it exists any more,
+/// and no dispatch of it is under way.
 RHW_API void rhw_shader_program_destroy(rhw_shader_program *program);
 
 /// Return what rhw_pipeline_def.program takes. Attribute i of the pipeline is location i. The uniforms of the draw are

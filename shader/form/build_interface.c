@@ -7,11 +7,14 @@ enum { COMPONENTS = 4, MAX_LOCATIONS = 32, MAX_ATTRIBUTES = 16, MAX_TARGETS = 8 
 // What stands in the place of target 1.
 enum { IS_TARGET = 1, IS_SECOND_SOURCE = 2 };
 
-enum stage_set { IN_VERTEX = 1, IN_FRAGMENT = 2, IN_COMPUTE = 4 };
+enum stage_set { IN_VERTEX = 1, IN_FRAGMENT = 2, IN_COMPUTE = 4, IN_EVERY_STAGE = 7 };
+
+// In the place of a slot: the value is computed of others, or 0.
+enum { NO_SLOT = -1 };
 
 struct built_in {
     enum spirv_built_in number;
-    int slot; // the first component: enum shader_built_in of inputs, enum shader_output of outputs
+    int slot; // the first component: enum shader_built_in of inputs, enum shader_output of outputs, or NO_SLOT
     uint32_t components;
     enum shader_type_kind kind; // what a component is
     enum stage_set stages;      // stages that have it
@@ -36,6 +39,18 @@ static const struct built_in built_in_inputs[] = {
     {SPIRV_LOCAL_INVOCATION_ID, SHADER_IN_LOCAL, 3, SHADER_INT, IN_COMPUTE},
     {SPIRV_GLOBAL_INVOCATION_ID, SHADER_IN_GLOBAL, 3, SHADER_INT, IN_COMPUTE},
     {SPIRV_LOCAL_INVOCATION_INDEX, SHADER_IN_LOCAL_INDEX, 1, SHADER_INT, IN_COMPUTE},
+    {SPIRV_NUM_SUBGROUPS, NO_SLOT, 1, SHADER_INT, IN_COMPUTE},
+    {SPIRV_SUBGROUP_ID, NO_SLOT, 1, SHADER_INT, IN_COMPUTE},
+    {SPIRV_SUBGROUP_SIZE, NO_SLOT, 1, SHADER_INT, IN_EVERY_STAGE},
+    {SPIRV_SUBGROUP_LOCAL_INVOCATION_ID, NO_SLOT, 1, SHADER_INT, IN_EVERY_STAGE},
+    {SPIRV_SUBGROUP_EQ_MASK, NO_SLOT, 4, SHADER_INT, IN_EVERY_STAGE},
+    {SPIRV_SUBGROUP_GE_MASK, NO_SLOT, 4, SHADER_INT, IN_EVERY_STAGE},
+    {SPIRV_SUBGROUP_GT_MASK, NO_SLOT, 4, SHADER_INT, IN_EVERY_STAGE},
+    {SPIRV_SUBGROUP_LE_MASK, NO_SLOT, 4, SHADER_INT, IN_EVERY_STAGE},
+    {SPIRV_SUBGROUP_LT_MASK, NO_SLOT, 4, SHADER_INT, IN_EVERY_STAGE},
+    {SPIRV_HELPER_INVOCATION, NO_SLOT, 1, SHADER_BOOL, IN_FRAGMENT},
+    {SPIRV_VIEW_INDEX, NO_SLOT, 1, SHADER_INT, IN_EVERY_STAGE},
+    {SPIRV_DEVICE_INDEX, NO_SLOT, 1, SHADER_INT, IN_EVERY_STAGE},
 };
 
 static const struct built_in built_in_outputs[] = {
@@ -106,6 +121,13 @@ static enum shader_type_kind component_kind(const struct shader_type *type)
     return type->kind == SHADER_VECTOR || type->kind == SHADER_ARRAY ? type->element->kind : type->kind;
 }
 
+// Return a component of what is built in and has no slot.
+static uint32_t value_without_slot(struct shader_builder *builder, int number, uint32_t component)
+{
+    const uint32_t value = shader_subgroup_built_in(builder, number, component);
+    return value != SHADER_NO_VALUE ? value : shader_number(builder, 0);
+}
+
 static void add_built_in(struct interface_walk *walk, const struct shader_type *type, int number)
 {
     struct shader_builder *const builder = walk->builder;
@@ -113,19 +135,6 @@ static void add_built_in(struct interface_walk *walk, const struct shader_type *
     const struct built_in *const table = is_output ? built_in_outputs : built_in_inputs;
     const size_t count = is_output ? sizeof built_in_outputs / sizeof *built_in_outputs
                                    : sizeof built_in_inputs / sizeof *built_in_inputs;
-    if (!is_output &&
-        (number == SPIRV_HELPER_INVOCATION || number == SPIRV_VIEW_INDEX || number == SPIRV_DEVICE_INDEX)) {
-        for (uint32_t i = 0; i < type->scalars; i++) {
-            walk->scalars[walk->next++] = shader_number(builder, 0);
-        }
-        return;
-    }
-    if (!is_output && shader_subgroup_built_in(builder, number, 0) != SHADER_NO_VALUE) {
-        for (uint32_t c = 0; c < type->scalars; c++) {
-            walk->scalars[walk->next++] = shader_subgroup_built_in(builder, number, c);
-        }
-        return;
-    }
     for (size_t i = 0; i < count; i++) {
         if ((int)table[i].number != number || (table[i].stages & stage_of(builder)) == 0) {
             continue;
@@ -140,7 +149,11 @@ static void add_built_in(struct interface_walk *walk, const struct shader_type *
         for (uint32_t c = 0; c < type->scalars; c++) {
             // Distances of fragments are interpolated as other inputs are.
             const bool is_varying = table[i].slot >= SHADER_IN_CLIP_DISTANCE && !is_output;
-            add_scalar(walk, is_varying ? SHADER_INPUT : SHADER_BUILT_IN, (uint32_t)table[i].slot + c);
+            if (table[i].slot == NO_SLOT) {
+                walk->scalars[walk->next++] = value_without_slot(builder, number, c);
+            } else {
+                add_scalar(walk, is_varying ? SHADER_INPUT : SHADER_BUILT_IN, (uint32_t)table[i].slot + c);
+            }
         }
         return;
     }
@@ -212,7 +225,11 @@ static uint32_t add_located(struct interface_walk *walk, const struct shader_typ
         return location;
     case SHADER_VECTOR:
     case SHADER_INT:
-    case SHADER_FLOAT: add_components(walk, type, location, component, interpolation); return location + 1;
+    case SHADER_FLOAT:
+        if (component_kind(type) != SHADER_BOOL) {
+            add_components(walk, type, location, component, interpolation);
+            return location + 1;
+        } // fall through
     default: shader_build_refuse(walk->builder, "an input or output is made of numbers");
     }
 }

@@ -5,7 +5,7 @@
 
 enum {
     MAX_RESOURCES = 4096,
-    MAX_WORKGROUP = 32768,
+    MAX_WORKGROUP = 1 << 16, // bytes
     MAX_INDEXED_HOMES =
         16 // beyond that, an index into memory takes less time than comparing it with all there are
 };

@@ -1,158 +1,28 @@
 // SPDX-License-Identifier: MIT
 // See assemble.h.
 //
-// Registers are given out in the order of the code: a value has one from where it is computed to where it is last read,
-// and what is read in a loop that began behind it stays until the loop's end. Homes and the masks of structure are
-// values that live from the outermost IF, REGION or LOOP around their first use to the end of the one around the last.
+// Registers are given out in the order of the code: a value has one in its live range (live_range.h).
 #include "assemble.h"
 
-#include <string.h>
-
+#include "live_range.h"
 #include "pairs.h"
 
-#define NONE UINT32_MAX
-
-struct live_range {
-    uint32_t begin, end; // numbers in the code
-};
+#define NONE SHADER_NEVER
 
 struct assembler {
     struct shader_program *program;
     struct shader_bytecode *bytecode;
-    struct live_range *ranges; // by value
-    uint32_t *registers;       // by value
-    uint32_t *mask_registers;  // by value: the second register of REGION and LOOP
+    const struct shader_live_range *ranges; // by value
+    uint32_t *registers;                    // by value
+    uint32_t *mask_registers;               // by value: the second register of REGION and LOOP
     struct shader_pairs pairs;
     struct shader_instruction *code;
     uint32_t count;
     size_t room;
-    uint32_t *outer_begin, *outer_end; // by place: of the outermost structure around it
     struct shader_operand_of *image_operands;
     uint32_t image_operand_count;
     size_t image_operand_room;
 };
-
-// Ranges ---------------------------------------------------------------------------------------------
-
-static bool opens(uint16_t op)
-{
-    return op == SHADER_IF || op == SHADER_REGION || op == SHADER_LOOP;
-}
-
-static bool closes(uint16_t op)
-{
-    return op == SHADER_END_IF || op == SHADER_END_REGION || op == SHADER_END_LOOP;
-}
-
-static uint16_t op_at(const struct assembler *assembler, uint32_t place)
-{
-    return assembler->program->nodes[assembler->program->code[place]].op;
-}
-
-// Find the outermost structure around every place.
-static void find_outermost(struct assembler *assembler)
-{
-    uint32_t depth = 0, begin = 0;
-    for (uint32_t i = 0; i < assembler->program->code_count; i++) {
-        const uint16_t op = op_at(assembler, i);
-        begin = depth == 0 ? i : begin;
-        depth += opens(op) ? 1 : 0;
-        assembler->outer_begin[i] = begin;
-        depth -= closes(op) ? 1 : 0;
-    }
-    uint32_t end = 0;
-    for (uint32_t i = assembler->program->code_count; i-- > 0;) {
-        const uint16_t op = op_at(assembler, i);
-        end = depth == 0 ? i : end;
-        depth += closes(op) ? 1 : 0;
-        assembler->outer_end[i] = end;
-        depth -= opens(op) ? 1 : 0;
-    }
-}
-
-static void extend(struct live_range *range, uint32_t place)
-{
-    range->begin = place < range->begin ? place : range->begin;
-    range->end = place > range->end || range->end == NONE ? place : range->end;
-}
-
-static void read_at(struct assembler *assembler, uint32_t value, uint32_t place, const uint32_t *loops,
-                    uint32_t depth, const uint32_t *loop_end)
-{
-    struct live_range *const range = &assembler->ranges[value];
-    if (assembler->program->nodes[value].op == SHADER_HOME) {
-        extend(range, assembler->outer_begin[place]);
-        extend(range, assembler->outer_end[place]);
-        return;
-    }
-    for (uint32_t l = 0; l < depth; l++) {
-        if (loops[l] > range->begin) {
-            place = loop_end[loops[l]];
-            break;
-        }
-    }
-    extend(range, place);
-}
-
-// All lanes have one condition: the code jumps, and masks stay as they are.
-static bool is_jump(const struct assembler *assembler, uint32_t value)
-{
-    const struct shader_node *const nodes = assembler->program->nodes;
-    return nodes[value].op == SHADER_IF && (nodes[nodes[value].operands[0]].flags & SHADER_UNIFORM);
-}
-
-static void find_ranges(struct assembler *assembler)
-{
-    const struct shader_program *const program = assembler->program;
-    uint32_t *const loop_end = shader_take(program->memory, program->code_count + 1, sizeof *loop_end);
-    uint32_t *const structure_end =
-        shader_take(program->memory, program->code_count + 1, sizeof *structure_end);
-    uint32_t stack[SHADER_MAX_DEPTH], depth = 0;
-    for (uint32_t i = program->code_count; i-- > 0;) {
-        const uint16_t op = op_at(assembler, i);
-        if (closes(op)) {
-            stack[depth++] = i;
-        } else if (opens(op)) {
-            structure_end[i] = stack[--depth];
-            loop_end[i] = op == SHADER_LOOP ? structure_end[i] : i;
-        }
-    }
-    uint32_t loops[SHADER_MAX_DEPTH], loop_depth = 0;
-    for (uint32_t i = 0; i < program->code_count; i++) {
-        const uint32_t value = program->code[i];
-        struct shader_node *const node = &program->nodes[value];
-        const enum shader_op op = (enum shader_op)node->op;
-        if (assembler->pairs.is_taken[value]) {
-            continue;
-        }
-        if (shader_op_has_result(op)) {
-            extend(&assembler->ranges[value], i);
-        }
-        uint32_t operand_count;
-        uint32_t paired[3];
-        const uint32_t *operands = shader_operands(program, node, &operand_count);
-        if (shader_pair_at(&assembler->pairs, program, value, paired)) {
-            operands = paired;
-            operand_count = 3;
-        }
-        for (uint32_t o = 0; o < operand_count; o++) {
-            read_at(assembler, operands[o], i, loops, loop_depth, loop_end);
-        }
-        if (opens((uint16_t)op) && !is_jump(assembler, value)) { // its masks
-            extend(&assembler->ranges[value], i);
-            extend(&assembler->ranges[value], structure_end[i]);
-        }
-        if (op == SHADER_IF && !is_jump(assembler, value)) {
-            // The condition is read again by ELSE.
-            read_at(assembler, node->operands[0], structure_end[i], loops, loop_depth, loop_end);
-        }
-        if (op == SHADER_LOOP) {
-            loops[loop_depth++] = i;
-        } else if (op == SHADER_END_LOOP) {
-            loop_depth--;
-        }
-    }
-}
 
 // Registers ------------------------------------------------------------------------------------------
 
@@ -176,6 +46,35 @@ struct endings {
     uint32_t *first, *next; // by place, by value; counted from 1
 };
 
+// Decide how many groups go through the shader at a time. Groups of a workgroup with barriers go together. Where the
+// stack has no room for their registers, the library gives memory for each invocation.
+static void settle_batch(struct assembler *assembler, uint32_t varying, uint32_t uniform)
+{
+    const struct shader_program *const program = assembler->program;
+    struct shader_bytecode *const bytecode = assembler->bytecode;
+    const uint32_t *const size = program->entry->local_size;
+    const uint32_t groups = (size[0] * size[1] * size[2] + 7) / 8;
+    const uint32_t vectors = varying * groups + uniform;
+    if (program->has_barriers && vectors > SHADER_REGISTER_VECTORS) {
+        bytecode->batch = groups;
+        bytecode->invocation_size = (vectors + groups - 1) / groups * (uint32_t)sizeof(uint32_t);
+        if (bytecode->invocation_size > RHW_MAX_INVOCATION_SIZE) {
+            shader_refuse(program->module, program->entry->word,
+                          "an invocation keeps %u bytes from barrier to barrier: more than %d",
+                          (unsigned)bytecode->invocation_size, RHW_MAX_INVOCATION_SIZE);
+        }
+    } else if (varying + uniform > SHADER_REGISTER_VECTORS) {
+        shader_refuse(program->module, program->entry->word, "the shader keeps more than %d values at a time",
+                      SHADER_REGISTER_VECTORS);
+    } else {
+        const uint32_t most = program->has_barriers && groups > SHADER_BATCH ? groups : SHADER_BATCH;
+        const uint32_t room = (SHADER_REGISTER_VECTORS - uniform) / varying;
+        bytecode->batch = room < most ? room : most;
+    }
+    bytecode->workgroup_size = program->workgroup_size;
+    bytecode->first_uniform = varying * bytecode->batch;
+}
+
 static void give_registers(struct assembler *assembler)
 {
     const struct shader_program *const program = assembler->program;
@@ -190,7 +89,7 @@ static void give_registers(struct assembler *assembler)
     struct free_registers uniform = {shader_take(memory, nodes, sizeof(uint32_t)), 0,
                                      assembler->bytecode->constant_count};
     for (uint32_t value = nodes; value-- > 0;) {
-        const struct live_range *const range = &assembler->ranges[value];
+        const struct shader_live_range *const range = &assembler->ranges[value];
         if (range->end != NONE && is_placed(&program->nodes[value])) {
             begins.next[value] = begins.first[range->begin];
             begins.first[range->begin] = value + 1;
@@ -222,23 +121,7 @@ static void give_registers(struct assembler *assembler)
             }
         }
     }
-    struct shader_bytecode *const bytecode = assembler->bytecode;
-    if (varying.next + uniform.next > SHADER_REGISTER_VECTORS) {
-        shader_refuse(program->module, 0, "the shader keeps more than %d values at a time",
-                      SHADER_REGISTER_VECTORS);
-    }
-    bytecode->batch = (SHADER_REGISTER_VECTORS - uniform.next) / varying.next;
-    const uint32_t *const size = program->entry->local_size;
-    const uint32_t groups = (size[0] * size[1] * size[2] + 7) / 8;
-    if (program->has_barriers && bytecode->batch < groups) {
-        shader_refuse(program->module, 0,
-                      "the shader keeps too many values for a workgroup of %u with barriers",
-                      (unsigned)(size[0] * size[1] * size[2]));
-    }
-    const uint32_t most = program->has_barriers && groups > SHADER_BATCH ? groups : SHADER_BATCH;
-    bytecode->batch = bytecode->batch > most ? most : bytecode->batch;
-    bytecode->workgroup_size = program->workgroup_size;
-    bytecode->first_uniform = varying.next * bytecode->batch;
+    settle_batch(assembler, varying.next, uniform.next);
 }
 
 // Instructions ---------------------------------------------------------------------------------------
@@ -318,7 +201,7 @@ static void set_exits(struct assembler *assembler, struct open_structure *struct
 static void open_structure(struct assembler *assembler, uint32_t value, struct structures *structures)
 {
     const struct shader_node *const node = &assembler->program->nodes[value];
-    const bool jumps = is_jump(assembler, value);
+    const bool jumps = shader_is_jump(assembler->program, value);
     struct shader_instruction *const instruction = add(assembler, jumps ? SHADER_JUMP_UNLESS : node->op);
     if (!jumps) {
         instruction->result = varying_register(assembler, assembler->registers[value]);
@@ -334,7 +217,7 @@ static void open_structure(struct assembler *assembler, uint32_t value, struct s
 
 static void add_else(struct assembler *assembler, struct open_structure *open)
 {
-    const bool jumps = is_jump(assembler, open->value);
+    const bool jumps = shader_is_jump(assembler->program, open->value);
     const uint32_t at = assembler->count;
     struct shader_instruction *const instruction = add(assembler, jumps ? SHADER_JUMP : SHADER_ELSE);
     if (!jumps) {
@@ -354,7 +237,7 @@ static void close_structure(struct assembler *assembler, uint16_t op, struct str
     if (op == SHADER_END_IF) {
         assembler->code[open->to_else == NONE ? open->begin : open->to_else].immediate = at;
     }
-    if (is_jump(assembler, open->value)) {
+    if (shader_is_jump(assembler->program, open->value)) {
         return;
     }
     struct shader_instruction *const instruction = add(assembler, op);
@@ -377,7 +260,7 @@ static void add_structure(struct assembler *assembler, uint32_t value, struct st
         struct shader_instruction *const leave = add(assembler, SHADER_LEAVE);
         leave->result = varying_register(assembler, assembler->mask_registers[node->operands[0]]);
         lose_lanes(structures, node->operands[0]);
-    } else if (opens(node->op)) {
+    } else if (shader_opens(node->op)) {
         open_structure(assembler, value, structures);
     } else if (node->op == SHADER_ELSE) {
         add_else(assembler, &structures->stack[structures->depth]);
@@ -485,7 +368,7 @@ static void add_code(struct assembler *assembler)
     uint32_t *const first = shader_take(program->memory, program->code_count + 1, sizeof *first);
     uint32_t *const next = shader_take(program->memory, program->node_count, sizeof *next);
     for (uint32_t value = 0; value < program->node_count; value++) {
-        const struct live_range *const range = &assembler->ranges[value];
+        const struct shader_live_range *const range = &assembler->ranges[value];
         if (program->nodes[value].op == SHADER_HOME && range->end != NONE) {
             next[value] = first[range->begin];
             first[range->begin] = value + 1;
@@ -527,20 +410,13 @@ struct shader_bytecode *shader_assemble(struct shader_program *program)
 {
     struct shader_memory *const memory = program->memory;
     struct shader_bytecode *const bytecode = shader_take(memory, 1, sizeof *bytecode);
-    struct assembler assembler = {
-        .program = program,
-        .bytecode = bytecode,
-        .ranges = shader_take(memory, program->node_count, sizeof(struct live_range)),
-        .registers = shader_take(memory, program->node_count, sizeof(uint32_t)),
-        .mask_registers = shader_take(memory, program->node_count, sizeof(uint32_t)),
-        .outer_begin = shader_take(memory, program->code_count + 1, sizeof(uint32_t)),
-        .outer_end = shader_take(memory, program->code_count + 1, sizeof(uint32_t))};
-    for (uint32_t value = 0; value < program->node_count; value++) {
-        assembler.ranges[value] = (struct live_range){NONE, NONE};
-    }
+    struct assembler assembler = {.program = program,
+                                  .bytecode = bytecode,
+                                  .registers = shader_take(memory, program->node_count, sizeof(uint32_t)),
+                                  .mask_registers =
+                                      shader_take(memory, program->node_count, sizeof(uint32_t))};
     shader_find_pairs(program, &assembler.pairs);
-    find_outermost(&assembler);
-    find_ranges(&assembler);
+    assembler.ranges = shader_find_live_ranges(program, &assembler.pairs);
     number_constants(&assembler);
     give_registers(&assembler);
     add_code(&assembler);

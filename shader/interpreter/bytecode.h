@@ -15,8 +15,7 @@
 
 enum {
     SHADER_BATCH = 16,              // most groups at a time; a workgroup with barriers has all of its own
-    SHADER_REGISTER_VECTORS = 4096, // length of the array, which takes 128 KB of stack
-    SHADER_MAX_RESOURCES = 64,
+    SHADER_REGISTER_VECTORS = 4096, // on the stack, where they take 128 KB
     SHADER_INPUT_NUMBERS = 400,
     SHADER_NO_RESOURCE = 0xffff, // push constants
     SHADER_SHARED = 0xfffe       // the memory of the workgroup
@@ -68,8 +67,9 @@ struct shader_bytecode {
     uint32_t private_count; // registers behind the fixed ones that are memory of the lanes
     const uint32_t *table;  // constants that indices pick from
     uint32_t table_count;
-    uint32_t batch;                  // groups at a time
-    uint32_t workgroup_size;         // bytes of memory that a workgroup has
+    uint32_t batch;           // groups at a time
+    uint32_t workgroup_size;  // bytes of memory that a workgroup has
+    uint32_t invocation_size; // bytes of an invocation that hold its registers; 0: the stack has room for all
     const struct shader_slot *slots; // by resource; a program gives them
     uint32_t target_count;
     // Component of the program's varyings for an input's number (enum shader_input); 0xff: there is none.

@@ -202,10 +202,10 @@ void RHW_ISA_NAME(shader_interpret_fragments)(struct rhw_fragment *groups, int c
 
 void RHW_ISA_NAME(shader_interpret_workgroup)(struct rhw_workgroup *workgroup)
 {
-    union vector registers[SHADER_REGISTER_VECTORS];
+    union vector few[SHADER_REGISTER_VECTORS];
     rhw_float texels[RHW_MAX_WORKGROUP_GROUPS][4];
     const struct shader_bytecode *const bytecode = ((const struct shader_stages *)workgroup->user)->compute;
-    struct frame frame = {.registers = registers,
+    struct frame frame = {.registers = bytecode->invocation_size > 0 ? workgroup->memory : few,
                           .texels = texels,
                           .bytecode = bytecode,
                           .bound = workgroup->uniforms,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A linked program as C.
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -47,10 +48,24 @@ static struct shader_c_stage describe_stage(struct shader_memory *memory, const 
                                    .target_count = bytecode->target_count};
 }
 
+// Refuse a program that has more registers than the stack of the interpreter, for C has its arrays there.
+static void check_stack(struct shader_memory *memory, const rhw_shader_program *program)
+{
+    const unsigned bytes = program->compute.invocation_size,
+                   groups = program->bytecode[RHW_SHADER_COMPUTE].batch;
+    if (bytes > 0) {
+        snprintf(memory->message, sizeof memory->message,
+                 "an invocation keeps %u bytes from barrier to barrier: C has room for %u of %u invocations",
+                 bytes, (unsigned)(SHADER_REGISTER_VECTORS * sizeof(uint32_t)) / groups, 8 * groups);
+        shader_memory_end(memory);
+    }
+}
+
 // Return the text in the memory, through which a program that is refused ends.
 static const char *write_program(struct shader_memory *memory, const rhw_shader_program *program,
                                  const struct rhw_shader_c_def *def)
 {
+    check_stack(memory, program);
     const char **const names = shader_take(memory, program->layout_count, sizeof *names);
     for (uint32_t i = 0; i < program->layout_count; i++) {
         names[i] = name_of(program, &program->layout[i]);

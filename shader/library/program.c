@@ -196,6 +196,7 @@ static void link_compute(rhw_shader_program *program)
         compute->size[i] = (int)shader->info.size[i];
     }
     compute->shared_size = shader->info.shared_size;
+    compute->invocation_size = shader->bytecode->invocation_size;
     compute->uniform_size = sizeof(struct rhw_shader_frame);
     compute->uses_atomic_results = shader->interface.uses_atomic_results;
     compute->user = &program->stages;
@@ -207,7 +208,7 @@ static bool link_program(rhw_shader_program *program, const struct rhw_shader_pr
     const rhw_shader *const given[STAGES] = {def->vertex, def->fragment, def->compute};
     for (int s = 0; s < STAGES; s++) {
         if (given[s]) {
-            shader_hold(given[s]);
+            shader_hold(&given[s]->kept);
             program->shaders[s] = given[s];
             program->bytecode[s] = *given[s]->bytecode;
         }
@@ -230,6 +231,44 @@ static bool link_program(rhw_shader_program *program, const struct rhw_shader_pr
     return link_graphics(program, message);
 }
 
+static void destroy(struct shader_kept *kept)
+{
+    rhw_shader_program *const program = (rhw_shader_program *)kept;
+    for (int s = 0; s < STAGES; s++) {
+        free(program->slots[s]);
+        if (program->shaders[s]) {
+            shader_release(&program->shaders[s]->kept);
+        }
+    }
+    free(program->layout);
+    free(program);
+}
+
+// Return the bytes that a program takes, with its shaders.
+static size_t program_size(const rhw_shader_program *program)
+{
+    size_t size = sizeof *program + program->layout_count * sizeof *program->layout;
+    for (int s = 0; s < STAGES; s++) {
+        size += program->shaders[s] ? shader_size(program->shaders[s]) : 0;
+    }
+    return size;
+}
+
+// Return a program that is new, or NULL, with a message or without memory.
+static rhw_shader_program *make(const struct rhw_shader_program_def *def, char *message)
+{
+    rhw_shader_program *const made = calloc(1, sizeof *made);
+    if (!made) {
+        return NULL;
+    }
+    shader_kept_init(&made->kept, destroy);
+    if (!link_program(made, def, message)) {
+        shader_release(&made->kept);
+        return NULL;
+    }
+    return made;
+}
+
 enum rhw_result rhw_shader_program_create(const struct rhw_shader_program_def *def,
                                           rhw_shader_program **program, char *message)
 {
@@ -242,12 +281,23 @@ enum rhw_result rhw_shader_program_create(const struct rhw_shader_program_def *d
         shader_say(text, "%s", misuse);
         return RHW_ERROR_MISUSE;
     }
-    rhw_shader_program *const made = calloc(1, sizeof *made);
-    if (made && link_program(made, def, text)) {
-        *program = made;
+    // With the parts of the key: all that the definition has but its cache.
+    const size_t begin[] = {STAGES, def->layout != NULL};
+    const rhw_shader *const shaders[STAGES] = {def->vertex, def->fragment, def->compute};
+    const struct shader_key key = {
+        {{begin, sizeof begin},
+         {shaders, sizeof shaders},
+         {def->layout, def->layout ? def->layout_count * sizeof *def->layout : 0}}};
+    struct shader_kept *const found = shader_cache_find(def->cache, &key);
+    if (found) {
+        *program = (rhw_shader_program *)found;
         return RHW_OK;
     }
-    rhw_shader_program_destroy(made);
+    rhw_shader_program *const made = make(def, text);
+    if (made) {
+        *program = (rhw_shader_program *)shader_cache_add(def->cache, &key, &made->kept, program_size(made));
+        return RHW_OK;
+    }
     if (text[0]) {
         return RHW_ERROR_MISUSE;
     }
@@ -257,16 +307,9 @@ enum rhw_result rhw_shader_program_create(const struct rhw_shader_program_def *d
 
 void rhw_shader_program_destroy(rhw_shader_program *program)
 {
-    for (int s = 0; program && s < STAGES; s++) {
-        free(program->slots[s]);
-        if (program->shaders[s]) {
-            shader_release(program->shaders[s]);
-        }
-    }
     if (program) {
-        free(program->layout);
+        shader_release(&program->kept);
     }
-    free(program);
 }
 
 const struct rhw_program *rhw_shader_program_get(const rhw_shader_program *program)

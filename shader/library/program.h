@@ -8,6 +8,7 @@
 enum { STAGES = RHW_SHADER_STAGE_COUNT, MAX_TARGETS = RHW_MAX_COLOR_ATTACHMENTS };
 
 struct rhw_shader_program {
+    struct shader_kept kept;
     const rhw_shader *shaders[STAGES];
     struct shader_bytecode bytecode[STAGES]; // the shaders' own, with slots and components
     struct shader_slot *slots[STAGES];

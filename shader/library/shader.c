@@ -15,18 +15,16 @@ static const enum spirv_execution_model models[RHW_SHADER_STAGE_COUNT] = {SPIRV_
                                                                           SPIRV_COMPUTE};
 static const char *const stage_names[RHW_SHADER_STAGE_COUNT] = {"vertex", "fragment", "compute"};
 
-void shader_hold(const rhw_shader *shader)
+static void destroy(struct shader_kept *kept)
 {
-    atomic_fetch_add_explicit((atomic_uint *)&shader->users, 1, memory_order_relaxed);
+    rhw_shader *const shader = (rhw_shader *)kept;
+    shader_memory_free(&shader->memory);
+    free(shader);
 }
 
-void shader_release(const rhw_shader *shader)
+size_t shader_size(const rhw_shader *shader)
 {
-    rhw_shader *const mine = (rhw_shader *)shader;
-    if (atomic_fetch_sub_explicit(&mine->users, 1, memory_order_acq_rel) == 1) {
-        shader_memory_free(&mine->memory);
-        free(mine);
-    }
+    return sizeof *shader + shader->memory.bound - shader->memory.left;
 }
 
 // Return a copy of the words in the order of bytes of this machine.
@@ -72,8 +70,12 @@ struct shader_program *shader_build_form(struct shader_memory *memory, const voi
     return shader_build(module, find_entry(module, def));
 }
 
-static void translate(rhw_shader *shader, const void *words, size_t size, const struct rhw_shader_def *def)
+// Return false, with what is wrong in the shader's memory, where the module is refused.
+static bool translate(rhw_shader *shader, const void *words, size_t size, const struct rhw_shader_def *def)
 {
+    if (setjmp(shader->memory.end) != 0) {
+        return false;
+    }
     struct shader_program *const form = shader_build_form(&shader->memory, words, size, def);
     shader_run_passes(form);
     shader->form = form;
@@ -81,6 +83,7 @@ static void translate(rhw_shader *shader, const void *words, size_t size, const 
     shader_find_interface(form, &shader->interface);
     shader->bytecode = shader_assemble(form);
     shader_reflect(shader);
+    return true;
 }
 
 const char *shader_find_misuse(const void *words, size_t size, const struct rhw_shader_def *def)
@@ -102,6 +105,29 @@ const char *shader_find_misuse(const void *words, size_t size, const struct rhw_
                : NULL;
 }
 
+// Return a shader that is new, or NULL with a message.
+static rhw_shader *make(const void *words, size_t size, const struct rhw_shader_def *def, char *message,
+                        enum rhw_result *result)
+{
+    rhw_shader *const made = calloc(1, sizeof *made);
+    if (!made) {
+        shader_say(message, "out of memory");
+        *result = RHW_ERROR_OUT_OF_MEMORY;
+        return NULL;
+    }
+    shader_memory_init(&made->memory, RHW_SHADER_MAX_MEMORY);
+    shader_kept_init(&made->kept, destroy);
+    if (translate(made, words, size, def)) {
+        *result = RHW_OK;
+        return made;
+    }
+    const bool is_short = made->memory.is_short;
+    shader_say(message, "%s", is_short ? "out of memory" : made->memory.message);
+    shader_release(&made->kept);
+    *result = is_short ? RHW_ERROR_OUT_OF_MEMORY : RHW_ERROR_MISUSE;
+    return NULL;
+}
+
 enum rhw_result rhw_shader_create(const void *words, size_t size, const struct rhw_shader_def *def,
                                   rhw_shader **shader, char *message)
 {
@@ -112,28 +138,30 @@ enum rhw_result rhw_shader_create(const void *words, size_t size, const struct r
         shader_say(message, "%s", misuse);
         return RHW_ERROR_MISUSE;
     }
-    rhw_shader *const made = calloc(1, sizeof *made);
-    if (!made) {
-        shader_say(message, "out of memory");
-        return RHW_ERROR_OUT_OF_MEMORY;
-    }
-    shader_memory_init(&made->memory, RHW_SHADER_MAX_MEMORY);
-    atomic_init(&made->users, 1);
-    if (setjmp(made->memory.end) == 0) {
-        translate(made, words, size, def);
-        *shader = made;
+    const char *const entry = def->entry_point ? def->entry_point : "main";
+    // With the parts of the key: all that the definition has but its cache.
+    const size_t begin[] = {(size_t)def->stage, strlen(entry), def->constant_count};
+    const struct shader_key key = {{{begin, sizeof begin},
+                                    {entry, strlen(entry)},
+                                    {def->constants, def->constant_count * sizeof *def->constants},
+                                    {words, size}}};
+    struct shader_kept *const found = shader_cache_find(def->cache, &key);
+    if (found) {
+        *shader = (rhw_shader *)found;
         return RHW_OK;
     }
-    const bool is_short = made->memory.is_short;
-    shader_say(message, "%s", is_short ? "out of memory" : made->memory.message);
-    shader_release(made);
-    return is_short ? RHW_ERROR_OUT_OF_MEMORY : RHW_ERROR_MISUSE;
+    enum rhw_result result;
+    rhw_shader *const made = make(words, size, def, message, &result);
+    if (made) {
+        *shader = (rhw_shader *)shader_cache_add(def->cache, &key, &made->kept, shader_size(made));
+    }
+    return result;
 }
 
 void rhw_shader_destroy(rhw_shader *shader)
 {
     if (shader) {
-        shader_release(shader);
+        shader_release(&shader->kept);
     }
 }
 

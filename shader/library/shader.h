@@ -3,8 +3,7 @@
 #ifndef SHADER_SHADER_H
 #define SHADER_SHADER_H
 
-#include <stdatomic.h>
-
+#include "cache.h"
 #include "form/form.h"
 #include "interpreter/bytecode.h"
 #include "link.h"
@@ -12,8 +11,8 @@
 #include "rhw/spirv.h"
 
 struct rhw_shader {
+    struct shader_kept kept;
     struct shader_memory memory; // holds all that follows points to
-    atomic_uint users;
     const struct shader_program *form;
     const struct shader_bytecode *bytecode; // without slots and components
     struct shader_interface interface;
@@ -21,9 +20,8 @@ struct rhw_shader {
     struct rhw_shader_type **types; // structs that `info` tells of, by id; NULL: none yet
 };
 
-// Take and leave a shader. It is freed when the last user leaves it.
-void shader_hold(const rhw_shader *shader);
-void shader_release(const rhw_shader *shader);
+// Return the bytes that a shader takes.
+size_t shader_size(const rhw_shader *shader);
 
 // Return what is wrong with the arguments of rhw_shader_create, or NULL.
 const char *shader_find_misuse(const void *words, size_t size, const struct rhw_shader_def *def);

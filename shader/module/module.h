@@ -199,6 +199,8 @@ const struct shader_decoration *shader_find_decoration(const struct shader_modul
 
 // What the files of the reader share -----------------------------------------------------------------
 
+// module_instruction.c. Refuse the instruction at `word` if its words are not those that the letters ask for.
+void shader_check_words(const struct shader_module *module, uint32_t word, const char *operands);
 // module_type.c. Make the type that the instruction at `word` declares.
 void shader_read_type(struct shader_module *module, uint32_t word);
 // Return the bytes of a member in memory up to its last scalar.

@@ -91,8 +91,7 @@ static bool evaluate(uint32_t opcode, const uint32_t v[3], uint32_t *result)
 {
     const int32_t a = (int32_t)v[0], b = (int32_t)v[1];
     switch (opcode) {
-    case SPIRV_OP_FConvert:
-    case SPIRV_OP_CopyObject: *result = v[0]; return true;
+    case SPIRV_OP_FConvert: *result = v[0]; return true;
     case SPIRV_OP_QuantizeToF16: *result = shader_float_from_half(shader_half_from_float(v[0])); return true;
     case SPIRV_OP_SNegate: *result = 0 - v[0]; return true;
     case SPIRV_OP_Not: *result = ~v[0]; return true;
@@ -133,17 +132,11 @@ static bool evaluate(uint32_t opcode, const uint32_t v[3], uint32_t *result)
     }
 }
 
-// Scalar i of an operand; a condition of Select may be one scalar for all.
+// Scalar i of an operand. A condition of Select may be one scalar for all.
 static uint32_t scalar_of(const struct operation *operation, uint32_t index, uint32_t i)
 {
     const struct shader_constant *const constant = operand(operation, index);
-    if (constant->type->scalars == 1) {
-        return constant->scalars[0];
-    }
-    if (i >= constant->type->scalars) {
-        shader_refuse(operation->module, operation->word, "operand %u has too few scalars", (unsigned)index);
-    }
-    return constant->scalars[i];
+    return constant->scalars[constant->type->scalars == 1 ? 0 : i];
 }
 
 // Find the part of a composite that literals name. Return its type, and where its scalars begin.
@@ -194,7 +187,6 @@ static uint32_t operands_of(uint32_t opcode)
     case SPIRV_OP_UConvert:
     case SPIRV_OP_FConvert:
     case SPIRV_OP_QuantizeToF16:
-    case SPIRV_OP_CopyObject:
     case SPIRV_OP_SNegate:
     case SPIRV_OP_Not:
     case SPIRV_OP_LogicalNot: return 1;
@@ -203,28 +195,66 @@ static uint32_t operands_of(uint32_t opcode)
     }
 }
 
-// Refuse an operation whose bools and numbers do not stand where it has them: a bool is −1 or 0.
-static void check_kinds(const struct operation *operation, uint32_t opcode, const struct shader_type *result)
+static bool is_bool(const struct shader_type *type)
+{
+    return scalar_type(type)->kind == SHADER_BOOL;
+}
+
+// Return true if a type is a number, a bool or a vector of them.
+static bool is_scalar_or_vector(const struct shader_type *type)
+{
+    const enum shader_type_kind kind = scalar_type(type)->kind;
+    return kind == SHADER_BOOL || kind == SHADER_INT || kind == SHADER_FLOAT;
+}
+
+// Refuse an operation on what are no components, and one whose bools and numbers do not stand where it has them: a bool
+// is −1 or 0.
+static void check_kinds(const struct operation *operation, uint32_t opcode)
 {
     const bool is_logical = opcode >= SPIRV_OP_LogicalEqual && opcode <= SPIRV_OP_LogicalNot;
     const bool is_comparison = opcode >= SPIRV_OP_IEqual && opcode <= SPIRV_OP_SLessThanEqual;
-    const bool is_bool = result->kind == SHADER_BOOL;
+    const struct shader_type *const result = operation->type;
+    const bool gives_bool = is_bool(result);
     if (operation->count != operands_of(opcode)) {
         shader_refuse(operation->module, operation->word, "Op%s has %u operands",
                       shader_instruction_name(opcode), (unsigned)operands_of(opcode));
     }
-    if (opcode != SPIRV_OP_Select && opcode != SPIRV_OP_CopyObject &&
-        is_bool != (is_logical || is_comparison)) {
+    if (!is_scalar_or_vector(result)) {
+        shader_refuse(operation->module, operation->word, "Op%s gives a scalar or a vector",
+                      shader_instruction_name(opcode));
+    }
+    if (opcode != SPIRV_OP_Select && gives_bool != (is_logical || is_comparison)) {
         shader_refuse(operation->module, operation->word, "Op%s gives %s", shader_instruction_name(opcode),
-                      is_bool ? "no bool" : "a bool");
+                      gives_bool ? "no bool" : "a bool");
     }
     for (uint32_t i = 0; i < operation->count; i++) {
         const struct shader_type *const type = operand(operation, i)->type;
-        const bool is_one = (type->kind == SHADER_VECTOR ? type->element : type)->kind == SHADER_BOOL;
-        const bool asks = opcode == SPIRV_OP_Select && i == 0 ? true : is_comparison ? false : is_bool;
-        if (is_one != asks) {
+        const bool is_condition = opcode == SPIRV_OP_Select && i == 0;
+        const bool asks = is_condition ? true : is_comparison ? false : gives_bool;
+        const bool has_count = type->scalars == result->scalars || (is_condition && type->scalars == 1);
+        if (!is_scalar_or_vector(type) || !has_count || is_bool(type) != asks) {
             shader_refuse(operation->module, operation->word, "operand %u is of a type that does not fit",
                           (unsigned)i);
+        }
+    }
+}
+
+static void shuffle(const struct operation *operation, uint32_t *scalars)
+{
+    const struct shader_constant *const a = operand(operation, 0), *const b = operand(operation, 1);
+    const struct shader_type *const type = operation->type;
+    if (type->kind != SHADER_VECTOR || a->type->kind != SHADER_VECTOR || b->type->kind != SHADER_VECTOR ||
+        a->type->element != type->element || b->type->element != type->element ||
+        operation->count != 2 + type->count) {
+        shader_refuse(operation->module, operation->word,
+                      "a vector is shuffled of two with its type of components, and a number for each");
+    }
+    for (uint32_t i = 0; i < type->count; i++) {
+        const uint32_t from = operation->operands[2 + i];
+        if (from < a->type->count) {
+            scalars[i] = a->scalars[from];
+        } else if (from - a->type->count < b->type->count) {
+            scalars[i] = b->scalars[from - a->type->count];
         }
     }
 }
@@ -249,19 +279,16 @@ static void evaluate_operation(const struct operation *operation, uint32_t opcod
         return;
     }
     if (opcode == SPIRV_OP_VectorShuffle) {
-        const struct shader_constant *const a = operand(operation, 0), *const b = operand(operation, 1);
-        for (uint32_t i = 0; i < type->scalars; i++) {
-            const uint32_t from = 2 + i < operation->count ? operation->operands[2 + i] : UINT32_MAX;
-            if (from < a->type->scalars) {
-                scalars[i] = a->scalars[from];
-            } else if (from - a->type->scalars < b->type->scalars) {
-                scalars[i] = b->scalars[from - a->type->scalars];
-            }
-        }
+        shuffle(operation, scalars);
         return;
     }
+    if (opcode == SPIRV_OP_CopyObject) {
+        check_part(operation, operand(operation, 0)->type, type);
+        memcpy(scalars, operand(operation, 0)->scalars, type->scalars * sizeof *scalars);
+        return;
+    }
+    check_kinds(operation, opcode);
     const struct shader_type *const scalar = scalar_type(type);
-    check_kinds(operation, opcode, scalar);
     for (uint32_t i = 0; i < type->scalars; i++) {
         uint32_t v[3] = {0, 0, 0};
         for (uint32_t o = 0; o < operation->count && o < 3; o++) {

@@ -20,8 +20,7 @@ struct room {
     _Alignas(RHW_CACHE_LINE) bool is_made; // a room is written by its thread for every workgroup
     struct rhw_workgroup workgroup;
     struct rhw_invocations *groups;
-    unsigned char *memory; // what invocations of the one-at-a-time form keep
-    bool *is_done;         // an element for each invocation
+    bool *is_done; // an element for each invocation of the one-at-a-time form
 };
 
 struct job {
@@ -47,16 +46,16 @@ static int group_count(const struct job *job)
 static bool reserve(const struct job *job, struct rhw_arena *arena, struct room *room)
 {
     const struct rhw_compute_program *const program = job->grid->program;
-    // The one-at-a-time form alone keeps something for each invocation.
     const size_t groups = (size_t)group_count(job),
                  invocations = job->grid->function ? 0 : (size_t)job->invocations;
     rhw_arena_reset(arena);
     room->is_made = false;
     room->groups = rhw_arena_alloc(arena, groups * sizeof *room->groups, RHW_CACHE_LINE);
     room->workgroup.shared = rhw_arena_alloc(arena, program->shared_size, RHW_CACHE_LINE);
-    room->memory = rhw_arena_alloc(arena, invocations * invocation_stride(program), RHW_CACHE_LINE);
+    room->workgroup.memory =
+        rhw_arena_alloc(arena, groups * RHW_LANES * invocation_stride(program), RHW_CACHE_LINE);
     room->is_done = rhw_arena_alloc(arena, invocations * sizeof *room->is_done, 1);
-    return room->groups && room->workgroup.shared && room->memory && room->is_done;
+    return room->groups && room->workgroup.shared && room->workgroup.memory && room->is_done;
 }
 
 // Set all that is the same for every workgroup. The thread of the room does it, which then has the memory in its cache.
@@ -93,6 +92,7 @@ static void run_invocations(const struct job *job, const struct room *room)
     const struct rhw_compute_program *const program = job->grid->program;
     const struct rhw_workgroup *const workgroup = &room->workgroup;
     const size_t stride = invocation_stride(program);
+    unsigned char *const memory = workgroup->memory;
     int left = job->invocations;
     struct rhw_invocation1 one = {.shared = workgroup->shared,
                                   .uniforms = workgroup->uniforms,
@@ -103,7 +103,7 @@ static void run_invocations(const struct job *job, const struct room *room)
         one.counts[c] = workgroup->counts[c];
         one.size[c] = workgroup->size[c];
     }
-    memset(room->memory, 0, (size_t)job->invocations * stride);
+    memset(memory, 0, (size_t)job->invocations * stride);
     memset(room->is_done, 0, (size_t)job->invocations * sizeof *room->is_done);
     for (; left > 0; one.step++) {
         for (int i = 0; i < job->invocations; i++) {
@@ -117,7 +117,7 @@ static void run_invocations(const struct job *job, const struct room *room)
                 call.local[c] = group->local[c][i % RHW_LANES];
             }
             call.index = i;
-            call.memory = room->memory + (size_t)i * stride;
+            call.memory = memory + (size_t)i * stride;
             room->is_done[i] = !program->invocation1(&call);
             left -= room->is_done[i];
         }

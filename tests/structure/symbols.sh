@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 # A library shows no symbol without its prefix and keeps no state outside its contexts. The inside of librhw-shader has the
-# prefix shader_, which its shared library does not show.
+# prefix shader_ in its sources, which its shared library does not show, and its archive has under another name.
 # usage: symbols.sh LIBRARY... (librhw and librhw-shader, archives or shared libraries)
 set -eu
 include=$(dirname "$0")/../../include/rhw
@@ -11,7 +11,6 @@ check_names() { # LIBRARY
     headers=$(ls "$include"/*.h | grep -v '/spirv\.h$')
     prefix='^rhw_'
     case $(basename "$1") in
-    librhw-shader.a) prefix='^(rhw|shader)_' ;;
     librhw-shader.so*) headers=$include/spirv.h ;;
     esac
     case $1 in

@@ -16,12 +16,24 @@ struct assembled {
 
 #include "assembled.h"
 
+// Return the stage of a module's entry point, or compute where it has none.
+static enum rhw_shader_stage stage_of(const uint32_t *words, size_t size)
+{
+    enum { OP_ENTRY_POINT = 15, FRAGMENT = 4 };
+    for (size_t i = 5; i < size / sizeof *words && words[i] >> 16 != 0; i += words[i] >> 16) {
+        if ((words[i] & 0xffff) == OP_ENTRY_POINT) {
+            return words[i + 1] == FRAGMENT ? RHW_SHADER_FRAGMENT : RHW_SHADER_COMPUTE;
+        }
+    }
+    return RHW_SHADER_COMPUTE;
+}
+
 static void expect(const char *name, const char *expected, const uint32_t *words, size_t size)
 {
     static const char refused[] = "refused: ";
     char message[RHW_SHADER_MESSAGE];
     rhw_shader *shader;
-    const struct rhw_shader_def def = {.stage = RHW_SHADER_COMPUTE};
+    const struct rhw_shader_def def = {.stage = stage_of(words, size)};
     const enum rhw_result result = rhw_shader_create(words, size, &def, &shader, message);
     const bool is_refused = strncmp(expected, refused, sizeof refused - 1) == 0;
     if (result != (is_refused ? RHW_ERROR_MISUSE : RHW_OK)) {
@@ -76,13 +88,15 @@ enum {
     ENTRY_POINT = 0x5000f,
     EXECUTION_MODE = 0x60010,
     DECORATE = 0x30047,
-    MEMBER_DECORATE = 0x40048,
+    DECORATE_WITH = 0x40047,
+    MEMBER_DECORATE_WITH = 0x50048,
     DECORATION_GROUP = 0x20049,
     GROUP_DECORATE = 0x3004a,
     TYPE_VOID = 0x20013,
     TYPE_BOOL = 0x20014,
     TYPE_INT = 0x40015,
     TYPE_ARRAY = 0x4001c,
+    TYPE_STRUCT_OF_ONE = 0x3001e,
     TYPE_FUNCTION = 0x30021,
     CONSTANT = 0x4002b,
     UNDEF = 0x30001,
@@ -93,6 +107,7 @@ enum {
     VARIABLE = 0x4003b,
     LOAD = 0x4003d,
     STORE = 0x3003e,
+    ACCESS_CHAIN = 0x50041,
     NOP = 0x10000,
     LABEL = 0x200f8,
     SELECTION_MERGE = 0x300f7,
@@ -101,7 +116,8 @@ enum {
     RETURN = 0x100fd
 };
 
-enum { WORKGROUP = 4, OF_FUNCTION = 7 }; // classes of storage
+enum { WORKGROUP = 4, OF_FUNCTION = 7, STORAGE_BUFFER = 12 };       // classes of storage
+enum { BLOCK = 2, BINDING = 33, DESCRIPTOR_SET = 34, OFFSET = 35 }; // decorations
 
 enum { MAIN = 1, VOID, MAIN_TYPE, UINT, ZERO, FREE };
 
@@ -212,6 +228,8 @@ static void test_calls_that_double(void **state)
     finish("calls", "refused: more than 262144 operations", &module);
     put_calls(&module, 16, 100000);
     finish("calls of what does nothing", "refused: too many instructions", &module);
+    put_calls(&module, RHW_SHADER_MAX_NESTING, 0);
+    finish("calls within each other", "refused: nested more than 128 deep", &module);
 }
 
 // Constants that fall into one bucket of any table that takes the upper bits of a product.
@@ -256,6 +274,60 @@ static void test_decorations_without_end(void **state)
     begin_function(module, MAIN);
     end_function(module);
     finish("decorations", "refused: too many decorations", module);
+}
+
+// A module that reads a number of buffers of a set.
+static void read_buffers(struct growing *module, uint32_t count, uint32_t set)
+{
+    begin(module);
+    const uint32_t type = module->next_id++, to_type = module->next_id++, to_word = module->next_id++;
+    const uint32_t first = module->next_id;
+    module->next_id += count;
+    PUT(DECORATE, type, BLOCK, MEMBER_DECORATE_WITH, type, 0, OFFSET, 0);
+    for (uint32_t i = 0; i < count; i++) {
+        PUT(DECORATE_WITH, first + i, DESCRIPTOR_SET, set, DECORATE_WITH, first + i, BINDING, i);
+    }
+    declare(module);
+    PUT(TYPE_STRUCT_OF_ONE, type, UINT, TYPE_POINTER, to_type, STORAGE_BUFFER, type, TYPE_POINTER, to_word,
+        STORAGE_BUFFER, UINT);
+    for (uint32_t i = 0; i < count; i++) {
+        PUT(VARIABLE, to_type, first + i, STORAGE_BUFFER);
+    }
+    begin_function(module, MAIN);
+    for (uint32_t i = 0; i < count; i++) {
+        const uint32_t place = module->next_id++;
+        PUT(ACCESS_CHAIN, to_word, place, first + i, ZERO, STORE, place, ZERO);
+    }
+    end_function(module);
+}
+
+// A module whose workgroup shares a number of words.
+static void share_words(struct growing *module, uint32_t count)
+{
+    begin(module);
+    declare(module);
+    const uint32_t length = module->next_id++, array = module->next_id++, pointer = module->next_id++,
+                   variable = module->next_id++;
+    PUT(CONSTANT, UINT, length, count, TYPE_ARRAY, array, UINT, length, TYPE_POINTER, pointer, WORKGROUP,
+        array, VARIABLE, pointer, variable, WORKGROUP);
+    begin_function(module, MAIN);
+    end_function(module);
+}
+
+static void test_resources_are_bounded(void **state)
+{
+    (void)state;
+    struct growing module;
+    share_words(&module, RHW_MAX_SHARED_SIZE / 4);
+    finish("shared memory", "taken", &module);
+    share_words(&module, RHW_MAX_SHARED_SIZE / 4 + 1);
+    finish("too much of it", "refused: a workgroup has at most 65536 bytes", &module);
+    read_buffers(&module, RHW_SHADER_MAX_RESOURCES, RHW_SHADER_MAX_SETS - 1);
+    finish("buffers", "taken", &module);
+    read_buffers(&module, RHW_SHADER_MAX_RESOURCES + 1, 0);
+    finish("too many buffers", "refused: more than 256 resources", &module);
+    read_buffers(&module, 1, RHW_SHADER_MAX_SETS);
+    finish("a set beyond all", "refused: a set below 8", &module);
 }
 
 static void test_bounds_are_named(void **state)
@@ -342,7 +414,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_switches_within_each_other), cmocka_unit_test(test_calls_that_double),
     cmocka_unit_test(test_constants_of_one_bucket),    cmocka_unit_test(test_decorations_without_end),
     cmocka_unit_test(test_bounds_are_named),           cmocka_unit_test(test_layouts_are_bounded),
-    cmocka_unit_test(test_a_texture_of_another_kind),
+    cmocka_unit_test(test_resources_are_bounded),      cmocka_unit_test(test_a_texture_of_another_kind),
 };
 
 const struct unit_tests test_spirv_hostile = UNIT_TESTS(tests, NULL, NULL);

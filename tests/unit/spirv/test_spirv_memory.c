@@ -7,6 +7,7 @@
 
 #include "indexed_comp.h"
 #include "indexed_comp_small.h"
+#include "keep_comp.h"
 #include "layout_comp.h"
 #include "narrow_comp.h"
 
@@ -284,12 +285,73 @@ static void test_sizes_of_workgroups_are_specialized_and_bounded(void **state)
     expect_size_refused(65536, 65536);
 }
 
+// What invocations keep from barrier to barrier ----------------------------------------------------------
+
+static rhw_shader *create_keep(uint32_t invocations, uint32_t words)
+{
+    const struct rhw_shader_constant constants[] = {{.id = 0, .value = invocations},
+                                                    {.id = 1, .value = words}};
+    return spirv_specialize(keep_comp, sizeof keep_comp, RHW_SHADER_COMPUTE, constants, 2);
+}
+
+static uint32_t kept_of(uint32_t i, uint32_t k)
+{
+    return i * (k + 3) ^ k;
+}
+
+static void expect_kept(uint32_t invocations, uint32_t words)
+{
+    static uint32_t sink[2048];
+    const struct spirv_bytes memory = {.bytes = sink, .size = sizeof sink};
+    memset(sink, 0, sizeof sink);
+    spirv_run(create_keep(invocations, words), &memory, 1, NULL, 0, 3);
+    for (uint32_t i = 0; i < invocations; i++) {
+        const uint32_t beside = (i + 1) % invocations;
+        uint32_t sum = kept_of(beside, beside % words);
+        for (uint32_t k = 0; k < words; k++) {
+            sum = 31 * sum + kept_of(i, k);
+        }
+        assert_int_equal(sink[i], sum);
+    }
+    assert_int_equal(sink[invocations], 0);
+}
+
+// On the stack, and beyond it.
+static void test_workgroups_keep_what_they_need(void **state)
+{
+    (void)state;
+    expect_kept(64, 8);
+    expect_kept(1024, 64);
+    expect_kept(1001, 900);
+}
+
+static void test_what_workgroups_keep_is_bounded(void **state)
+{
+    (void)state;
+    const struct rhw_shader_constant constants[] = {{.id = 0, .value = 1024}, {.id = 1, .value = 1100}};
+    const struct rhw_shader_def def = {
+        .stage = RHW_SHADER_COMPUTE, .constants = constants, .constant_count = 2};
+    char message[RHW_SHADER_MESSAGE];
+    rhw_shader *shader;
+    assert_int_equal(rhw_shader_create(keep_comp, sizeof keep_comp, &def, &shader, message),
+                     RHW_ERROR_MISUSE);
+    assert_non_null(strstr(message, "from barrier to barrier: more than 4096"));
+    rhw_shader_program *const program = spirv_link(NULL, NULL, create_keep(1024, 64));
+    char *text;
+    const struct rhw_shader_c_def c = {.name = "keep"};
+    assert_int_equal(rhw_shader_program_emit_c(program, &c, &text, message), RHW_ERROR_MISUSE);
+    assert_non_null(strstr(message, "C has room for 128 of 1024 invocations"));
+    rhw_shader_program_destroy(program);
+}
+
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_narrow_numbers_are_loaded_converted_and_stored),
     cmocka_unit_test(test_narrow_push_constants_end_within_a_word),
     cmocka_unit_test(test_indices_pick_from_arrays_of_every_kind),
     cmocka_unit_test(test_matrices_lie_by_columns_and_by_rows),
     cmocka_unit_test(test_sizes_of_workgroups_are_specialized_and_bounded),
+    cmocka_unit_test(test_workgroups_keep_what_they_need),
+    cmocka_unit_test(test_what_workgroups_keep_is_bounded),
 };
 
 const struct unit_tests test_spirv_memory = UNIT_TESTS(tests, NULL, NULL);

@@ -228,6 +228,7 @@ static void test_what_is_wrong_is_named(void **state)
     expect_refused(plain_frag, sizeof plain_frag, "other", "\"other\"");
     expect_refused(plain_frag, sizeof plain_frag - 1, NULL, "whole words");
     expect_refused(plain_frag, 16, NULL, "5 at least");
+    expect_refused(plain_frag, (size_t)(RHW_SHADER_MAX_WORDS + 1) * 4, NULL, "RHW_SHADER_MAX_WORDS");
     expect_refused(plain_vert, sizeof plain_vert, NULL, "no fragment entry point");
     expect_refused((const uint32_t *)(const void *)triangle, sizeof triangle, NULL, "magic");
 }
