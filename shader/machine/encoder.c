@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// See encoder.h. Formats are those of Intel's manual, volume 2, chapter 2: VEX in 2.3, REX in 2.2.1, ModRM and SIB in 2.1.
+// See encoder.h. Formats are those of Intel's manual, volume 2: VEX in 2.3, REX in 2.2.1, ModRM and SIB in 2.1.
 #include "encoder.h"
 
 #include <string.h>
@@ -16,7 +16,8 @@ enum prefix { PREFIX_NONE, PREFIX_66, PREFIX_F3 };
 enum map { MAP_BYTE, MAP_0F, MAP_0F38, MAP_0F3A };
 
 // Which operands there are, and where they stand: R in `reg` of ModRM, M in `rm`, V in `vvvv` of VEX, O in the opcode.
-enum shape { RM, MR, RVM, MVR, RMV, RMI, MRI, RVMI, RVMR, VMI, M, MI, MN, ML, RMN, O };
+// From VMI to RVMR there is an immediate, from RVMI to RMV a source.
+enum shape { RM, MR, VMI, RMI, MRI, RVMI, RVMR, RVM, MVR, RMV, M, MI, MN, ML, RMN, O };
 
 struct encoding {
     uint8_t is_vex, prefix, map, is_wide, opcode, shape, digit;
@@ -150,8 +151,9 @@ static void encode_vex(struct shader_encoder *encoder, const struct encoding *en
                        int reg, int source, struct x86_operand rm, int32_t immediate)
 {
     const unsigned shape = encoding->shape;
-    const bool has_immediate = shape >= RMI && shape <= VMI;
-    const int vector = shape == VMI ? reg : source, field = shape == VMI ? encoding->digit : reg;
+    const bool has_immediate = shape >= VMI && shape <= RVMR;
+    const int vector = shape == VMI ? reg : shape >= RVMI && shape <= RMV ? source : 0;
+    const int field = shape == VMI ? encoding->digit : reg;
     put_vex(encoder, encoding, high_bits(field, rm), vector, flags);
     put_operand(encoder, field, rm, has_immediate ? 1 : 0);
     if (has_immediate) {
@@ -159,14 +161,13 @@ static void encode_vex(struct shader_encoder *encoder, const struct encoding *en
     }
 }
 
-// Return whether a register is one of those whose lowest byte only REX reaches: spl, bpl, sil and dil.
+// Return whether there is a byte of spl, bpl, sil or dil, which only REX reaches.
 static bool needs_rex(const struct encoding *encoding, int reg, struct x86_operand rm)
 {
-    const int byte = encoding->map == MAP_0F && (encoding->opcode & 0xf7) == 0xb6 ? rm.reg // MOVZX8, MOVSX8
-                     : encoding->map == MAP_0F && encoding->opcode == 0x90        ? rm.reg // SET
-                     : encoding->map == MAP_BYTE && encoding->opcode == 0x88      ? reg    // MOV_STORE8
-                                                                                  : -1;
-    return byte >= X86_RSP;
+    const bool is_store = encoding->map == MAP_BYTE && encoding->opcode == 0x88;          // MOV_STORE8
+    const bool is_load = encoding->map == MAP_0F && ((encoding->opcode & 0xf7) == 0xb6 || // MOVZX8, MOVSX8
+                                                     (encoding->opcode & 0xf0) == 0x90);  // SET
+    return (is_store && reg >= X86_RSP) || ((is_store || is_load) && rm.reg >= X86_RSP);
 }
 
 static void encode_integer(struct shader_encoder *encoder, const struct encoding *encoding, unsigned flags,

@@ -141,8 +141,8 @@ void shader_encoder_init(struct shader_encoder *encoder, struct shader_memory *m
 //     RVMR           as RVM; the immediate is a register  VMI           reg := rm, immediate
 //     RMV            reg := gathered from rm where        M, MI, MN, ML rm := rm, immediate; reg is 0
 //                    source has its sign set              O             reg alone
-// Memory of a gather has a vector as its index, and the source becomes 0. TEST, CMP, BT, VPTEST and VTESTPS change flags
-// alone. An immediate has 8 bits (I), 32 (L), or as many as it takes (N).
+// Memory of a gather has a vector as its index, and the source becomes 0. TEST, CMP, BT, VPTEST and VTESTPS change
+// flags alone. An immediate has 8 bits (I), 32 (L), or as many as it takes (N).
 void shader_encode(struct shader_encoder *encoder, unsigned instruction, int reg, int source,
                    struct x86_operand rm, int32_t immediate);
 
