@@ -384,8 +384,8 @@ static void compare(void)
         const int length = lengths[i];
         if (memcmp(own, slot, (size_t)length) != 0 || slot[length] != 0xcc) {
             print_error("%s\n  encoder  ", lines[i]);
-            for (int b = 0; b < SLOT - 1; b++) {
-                print_error(b < length ? " %02x" : "", own[b]);
+            for (int b = 0; b < length; b++) {
+                print_error(" %02x", own[b]);
             }
             print_error("\n  assembler");
             for (int b = 0; b < SLOT - 1; b++) {
