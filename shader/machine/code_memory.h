@@ -16,8 +16,8 @@ bool shader_code_is_wanted(void);
 void *shader_code_map(const void *bytes, size_t size);
 void shader_code_unmap(void *code, size_t size);
 
-// Where RHW_PERF_MAP is 1 in the environment, append the name of a function to /tmp/perf-PID.map, in which `perf report`
-// and debuggers look for names. Return whether it was appended.
+// Where RHW_PERF_MAP is 1 in the environment, append the name of a function to /tmp/perf-PID.map, in which perf looks
+// for names. Return whether it was appended.
 bool shader_code_name(const void *code, size_t size, const char *name);
 
 #endif
