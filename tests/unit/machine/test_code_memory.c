@@ -19,6 +19,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "machine/encoder.h"
 #include "unit.h"
 
 // mov eax, NUMBER; ret
@@ -46,6 +47,60 @@ static void skip_elsewhere(void)
         print_message("there is no AVX2 here\n");
         skip();
     }
+}
+
+// Code that the encoder writes: out[i] = 3 in[i] + 1 for groups of 8 floats, with labels, constants and a loop.
+static void write_loop(struct shader_encoder *encoder, struct shader_memory *memory)
+{
+    shader_encoder_init(encoder, memory);
+    const uint32_t begin = shader_label_new(encoder), end = shader_label_new(encoder);
+    shader_encode_2(encoder, X86_TEST, X86_RDX, x86_reg(X86_RDX));
+    shader_encode_jump_if(encoder, X86_EQUAL, end);
+    shader_encode_2(encoder, X86_VBROADCASTSS, 12, shader_pool_scalar(encoder, 0x3f800000));
+    shader_encode_alignment(encoder, 32);
+    shader_label_place(encoder, begin);
+    shader_encode_2(encoder, X86_VMOVUPS, 9, x86_at(X86_RSI, 0));
+    shader_encode_3(encoder, X86_VMULPS, 9, 9, shader_pool_splat(encoder, 0x40400000));
+    shader_encode_3(encoder, X86_VADDPS, 9, 9, x86_reg(12));
+    shader_encode_2(encoder, X86_VMOVUPS_STORE, 9, x86_at(X86_RDI, 0));
+    shader_encode(encoder, X86_ADD_I | X86_WIDE, 0, 0, x86_reg(X86_RSI), 32);
+    shader_encode(encoder, X86_ADD_I | X86_WIDE, 0, 0, x86_reg(X86_RDI), 32);
+    shader_encode_2(encoder, X86_DEC, 0, x86_reg(X86_RDX));
+    shader_encode_jump_if(encoder, X86_NOT_EQUAL, begin);
+    shader_label_place(encoder, end);
+    shader_encode_vzeroupper(encoder);
+    shader_encode_return(encoder);
+    shader_encoder_finish(encoder);
+}
+
+static void test_code_of_the_encoder_runs(void **state)
+{
+    (void)state;
+    skip_elsewhere();
+    struct shader_memory memory;
+    struct shader_encoder encoder;
+    void (*function)(float *out, const float *in, int groups);
+    float in[24], out[24];
+    shader_memory_init(&memory, (size_t)1 << 20);
+    if (setjmp(memory.end) != 0) {
+        fail_msg("%s", memory.message);
+    }
+    write_loop(&encoder, &memory);
+    void *const code = shader_code_map(encoder.bytes, encoder.size);
+    assert_non_null(code);
+    memcpy(&function, &code, sizeof function);
+    for (int i = 0; i < 24; i++) {
+        in[i] = (float)i;
+        out[i] = -1.0f;
+    }
+    function(out, in, 0);
+    assert_true(out[0] == -1.0f);
+    function(out, in, 3);
+    for (int i = 0; i < 24; i++) {
+        assert_true(out[i] == 3.0f * (float)i + 1.0f);
+    }
+    shader_code_unmap(code, encoder.size);
+    shader_memory_free(&memory);
 }
 
 // Maps -----------------------------------------------------------------------------------------------
@@ -219,9 +274,10 @@ static void test_threads_make_code(void **state)
 }
 
 static const struct CMUnitTest tests[] = {
-    cmocka_unit_test(test_code_is_never_writable), cmocka_unit_test(test_memory_is_given_back),
-    cmocka_unit_test(test_a_system_that_refuses),  cmocka_unit_test(test_code_can_be_turned_off),
-    cmocka_unit_test(test_names_for_perf),         cmocka_unit_test(test_threads_make_code),
+    cmocka_unit_test(test_code_of_the_encoder_runs), cmocka_unit_test(test_code_is_never_writable),
+    cmocka_unit_test(test_memory_is_given_back),     cmocka_unit_test(test_a_system_that_refuses),
+    cmocka_unit_test(test_code_can_be_turned_off),   cmocka_unit_test(test_names_for_perf),
+    cmocka_unit_test(test_threads_make_code),
 };
 
 const struct unit_tests test_code_memory = UNIT_TESTS(tests, NULL, NULL);
