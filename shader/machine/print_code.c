@@ -2,7 +2,6 @@
 // See print_code.h.
 #include "print_code.h"
 
-#include <ctype.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -115,7 +114,7 @@ static int write_name(const struct shader_record *record, char text[SHADER_INSTR
     const int length = begin + snprintf(text + begin, (size_t)(SHADER_INSTRUCTION_TEXT - begin), "%.*s%s ",
                                         (int)strcspn(name, "_"), name, condition);
     for (int i = begin; i < length; i++) {
-        text[i] = (char)tolower((unsigned char)text[i]);
+        text[i] = (char)(text[i] >= 'A' && text[i] <= 'Z' ? text[i] - 'A' + 'a' : text[i]);
     }
     return length;
 }
