@@ -21,6 +21,9 @@ void shader_sink_print(const struct shader_sink *sink, const char *format, ...)
 // source stand before what became of them, if the module knows them.
 void shader_print(const struct shader_sink *sink, const struct shader_program *program);
 
+// Print a node of the code as it stands in its line.
+void shader_print_node(const struct shader_sink *sink, const struct shader_program *program, uint32_t value);
+
 // Print the bits of a constant: as a float, as a whole number, or as what they seem to be.
 enum shader_number_style { SHADER_NUMBER_FLOAT, SHADER_NUMBER_INT, SHADER_NUMBER_EITHER };
 void shader_print_number(const struct shader_sink *sink, uint32_t bits, enum shader_number_style style);

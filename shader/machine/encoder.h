@@ -16,7 +16,7 @@ enum x86_instruction {
 #undef VEX
 #undef INT
     X86_INSTRUCTIONS,
-    // Those that are functions of their own, in records alone:
+    // What has a function of its own is no row of the table. Records have these numbers for it:
     X86_JUMP = X86_INSTRUCTIONS, // to the label `immediate`; reg: the condition, or -1
     X86_NUMBER,                  // reg := offset and immediate, the lower and the upper half
     X86_VZEROUPPER,

@@ -19,8 +19,8 @@ static const struct {
 #undef INT
 };
 
-// Operands that are not as wide as the instruction, and names that are not those of the table. Kinds of registers: y and
-// x are vectors of 256 and 128 bits, q, d, w and b integers of 64, 32, 16 and 8.
+// Operands that are not as wide as the instruction, and names that are not those of the table. Kinds of registers: y
+// and x are vectors of 256 and 128 bits, q, d, w and b integers of 64, 32, 16 and 8.
 static const struct {
     const char *name;
     char reg, rm;
@@ -184,68 +184,50 @@ void shader_write_instruction(const struct shader_encoder *encoder, const struct
 
 // The whole ------------------------------------------------------------------------------------------
 
-enum { BYTES_COLUMN = 30, TEXT_COLUMN = 52 };
+enum { LONGEST = 15, BYTES_COLUMN = 20, TEXT_COLUMN = 48 };
 
-// Print the constant that an instruction reads: once where all lanes have it.
-static void print_constant(const struct shader_sink *sink, const struct shader_pool_constant *constant)
-{
-    bool is_splat = true;
-    for (uint32_t i = 1; i < constant->size / 4; i++) {
-        is_splat = is_splat && constant->words[i] == constant->words[0];
-    }
-    for (uint32_t i = 0; i < (is_splat ? 1 : constant->size / 4); i++) {
-        shader_sink_print(sink, " ");
-        shader_print_number(sink, constant->words[i], SHADER_NUMBER_EITHER);
-    }
-}
-
+// Print a line. If it is the first one of a node, fill it up to the column where the node follows.
 static void print_record(const struct shader_sink *sink, const struct shader_encoder *encoder,
-                         const struct shader_record *record, uint32_t end, uint32_t node)
+                         const struct shader_record *record, uint32_t end, bool is_first)
 {
-    char text[SHADER_INSTRUCTION_TEXT], bytes[2 * 64 + 1] = "";
+    char text[SHADER_INSTRUCTION_TEXT], bytes[2 * LONGEST + 1] = "";
     shader_write_instruction(encoder, record, text);
     if (record->instruction == X86_LABEL) {
-        shader_sink_print(sink, "%s\n", text);
+        shader_sink_print(sink, "%s", text);
         return;
     }
-    for (uint32_t i = record->place; i < end && i - record->place < 64; i++) {
-        snprintf(bytes + 2 * (size_t)(i - record->place), 3, "%02x", encoder->bytes[i]);
+    for (uint32_t i = 0; i < LONGEST && record->place + i < end; i++) {
+        snprintf(bytes + 2 * (size_t)i, 3, "%02x", encoder->bytes[record->place + i]);
     }
-    const bool has_constant =
-        record->instruction < X86_INSTRUCTIONS && record->rm.reg < 0 && record->rm.base < 0;
-    shader_sink_print(sink, "%6x  %-*s %s", (unsigned)record->place, BYTES_COLUMN, bytes, text);
-    if (node != 0 || has_constant) {
-        const size_t length = strlen(text);
-        shader_sink_print(sink, "%*s ;", (int)(length < TEXT_COLUMN ? TEXT_COLUMN - length : 0), "");
+    shader_sink_print(sink, "%6x  %-*s  %s", (unsigned)record->place, BYTES_COLUMN, bytes, text);
+    const int length = (int)strlen(text);
+    if (is_first) {
+        shader_sink_print(sink, "%*s ; ", length < TEXT_COLUMN ? TEXT_COLUMN - length : 0, "");
     }
-    if (node != 0) {
-        shader_sink_print(sink, " %u", (unsigned)node);
-    }
-    if (has_constant) {
-        print_constant(sink, &encoder->constants[record->rm.offset]);
-    }
-    shader_sink_print(sink, "\n");
 }
 
 void shader_print_code(const struct shader_sink *sink, const struct shader_program *program,
                        const struct shader_encoder *encoder)
 {
     struct shader_source_lines *const lines = shader_find_source_lines(program->module);
-    uint32_t mark = 0, node = 0;
-    shader_sink_print(sink, "; %u instructions, %u bytes of code, %u of constants\n",
-                      (unsigned)encoder->record_count, (unsigned)encoder->pool,
+    uint32_t mark = 0;
+    shader_sink_print(sink, "; %u bytes of code, %u of constants\n", (unsigned)encoder->code_size,
                       (unsigned)(encoder->size - encoder->pool));
     for (uint32_t i = 0; i < encoder->record_count; i++) {
         const struct shader_record *const record = &encoder->records[i];
         const uint32_t end = i + 1 < encoder->record_count ? record[1].place : encoder->code_size;
-        bool is_new = false;
-        while (mark < encoder->mark_count && encoder->marks[mark].place <= record->place) {
+        uint32_t node = 0;
+        while (mark < encoder->mark_count && encoder->marks[mark].place <= record->place &&
+               record->instruction != X86_LABEL) {
             node = encoder->marks[mark++].node;
-            is_new = true;
         }
-        if (is_new && lines && node < program->node_count) {
+        if (lines && node != 0) {
             shader_print_source_line(sink, lines, program->origins[node], 0);
         }
-        print_record(sink, encoder, record, end, is_new ? node : 0);
+        print_record(sink, encoder, record, end, node != 0);
+        if (node != 0) {
+            shader_print_node(sink, program, node);
+        }
+        shader_sink_print(sink, "\n");
     }
 }

@@ -13,8 +13,8 @@ enum { SHADER_INSTRUCTION_TEXT = 128 };
 void shader_write_instruction(const struct shader_encoder *encoder, const struct shader_record *record,
                               char text[SHADER_INSTRUCTION_TEXT]);
 
-// Print code that is finished and was recorded: places, bytes and instructions, the value that each comes from, which
-// constants it reads, and the lines of the source, if the module knows them.
+// Print code that is finished and was recorded: places, bytes and instructions. Beside the first instruction of a node
+// stands the node, as the form is printed, and before it the line of the source, if the module knows it.
 void shader_print_code(const struct shader_sink *sink, const struct shader_program *program,
                        const struct shader_encoder *encoder);
 
