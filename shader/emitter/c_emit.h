@@ -3,7 +3,7 @@
 #ifndef SHADER_C_EMIT_H
 #define SHADER_C_EMIT_H
 
-#include "c_plan.h"
+#include "form/plan.h"
 #include "c_text.h"
 
 struct shader_c_pair {
@@ -16,7 +16,7 @@ struct shader_emitter {
     const struct shader_c_stage *stage;
     enum rhw_shader_stage kind;
     const struct shader_program *form;
-    struct shader_c_plan plan;
+    struct shader_plan plan;
     struct shader_text arrays; // declarations of what has an element for each group
     struct shader_text once;   // what is computed once a call
     struct shader_text body;   // what is computed for each group
