@@ -386,9 +386,9 @@ static void call_IMAGE_STORE(const struct rhw_shader_frame *frame, const struct 
 
 // Loops ----------------------------------------------------------------------------------------------
 
-static int call_GIVEN_UP(uint32_t *rounds, const struct rhw_bindings *bindings)
+static int call_GIVEN_UP(const struct rhw_bindings *bindings)
 {
-    return rhw_spirv_is_given_up(rounds, bindings);
+    return rhw_work_is_given_up(bindings);
 }
 
 #define ENTRY(name) [SHADER_##name] = (shader_call_function *)call_##name

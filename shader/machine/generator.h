@@ -25,7 +25,8 @@ struct shader_machine_frame {
     uint32_t count;      // groups of the call that are left
     uint32_t here, left; // groups that go through the code together, and those of a run that are left
     uint32_t rounds;     // rounds of loops until now
-    uint32_t number;     // what a loop over groups found
+    uint32_t number;     // what a call receives
+    rhw_int any;         // lanes that a loop over groups found
     struct shader_request request;
 };
 
@@ -84,15 +85,19 @@ struct shader_generator {
     uint32_t frame_size, record_size; // bytes
     uint32_t own;                     // offset of the lanes' memory, in the frame or record
     // Structure
-    uint32_t mask, alive; // values: active lanes, and those that have not left
-    uint32_t divergence;  // structures around this place whose lanes go different ways
-    bool is_dead;         // no lane comes to this place
-    bool is_run_open;
-    uint32_t group_loop;                // label
-    uint32_t exit;                      // label
-    struct shader_edge *group_end;      // where code goes on with the next group
-    struct shader_edge **ends;          // by place of structure
-    uint32_t *left;                     // by place of structure: value with the lanes that have left, or all alive before
+    uint32_t mask, alive;     // values: active lanes, and those that have not left
+    uint32_t block_mask;      // the mask with which the block began
+    uint32_t run_mask;        // the mask with which the run began
+    uint32_t divergence;      // structures around this place whose lanes go different ways
+    uint32_t loop_depth;      // loops of the run around this place
+    bool is_dead;             // no lane comes to this place
+    bool is_gone;             // code does not come to this place
+    bool is_run_open;         // this place is in a loop over groups
+    uint32_t group_loop;      // label where a loop over groups goes back to
+    uint32_t exit;            // label of the end of the function
+    struct shader_edge *group_end; // where the code of a group ends
+    struct shader_edge **ends;     // by place of structure: where it ends
+    uint32_t *left; // by place of structure: the lanes that have left, or those that were alive before
     struct shader_machine_pair *pairs;  // textures and samplers that are put together once a call
     size_t pair_room;
     uint32_t pair_count;
@@ -153,6 +158,9 @@ static inline void shader_put(struct shader_generator *g, unsigned instruction, 
 // Write arithmetic. Return false where the node is something else.
 bool shader_select_arithmetic(struct shader_generator *g, uint32_t value);
 
+// machine.c: the function that an operation calls, an enum shader_op or shader_call. NULL: there is none.
+shader_call_function *shader_machine_function(unsigned which);
+
 // invoke.c -------------------------------------------------------------------------------------------
 
 // What an integer register receives.
@@ -193,12 +201,40 @@ uint32_t shader_element_of(const struct shader_generator *g, uint32_t buffer);
 // Put textures and samplers together, once a call.
 void shader_find_pairs(struct shader_generator *g);
 
-// flow.c, stage.c ------------------------------------------------------------------------------------
+// flow.c ---------------------------------------------------------------------------------------------
 
-void shader_generate_once(struct shader_generator *g);
+static inline enum shader_op shader_op_at(const struct shader_generator *g, uint32_t place)
+{
+    return (enum shader_op)g->form->nodes[g->form->code[place]].op;
+}
+
+static inline bool shader_opens(enum shader_op op)
+{
+    return op == SHADER_IF || op == SHADER_REGION || op == SHADER_LOOP;
+}
+
+void shader_generate_node(struct shader_generator *g, uint32_t place);
+// Write one item of a run, a node or narrow structure. Return the place behind it.
+uint32_t shader_generate_item(struct shader_generator *g, uint32_t place);
+// Where a loop has gone round often, leave the function if the work is given up.
+void shader_generate_giving_up(struct shader_generator *g, const struct shader_edge *edge);
+// Set flags by a truth that all lanes of the call share: zero where it is false.
+void shader_test_alike(struct shader_generator *g, uint32_t truth);
+
+// wide.c ---------------------------------------------------------------------------------------------
+
+// Write the whole code, loops over groups with it.
 void shader_generate_code(struct shader_generator *g);
+
+// stage.c --------------------------------------------------------------------------------------------
+
+// Begin and end a loop over the groups that go through the code together.
 void shader_open_groups(struct shader_generator *g);
 void shader_close_groups(struct shader_generator *g);
+// Return where the mask of a group lies in it.
+int32_t shader_mask_offset(const struct shader_generator *g);
+// Set the memory of the lanes of a group to 0.
+void shader_clear_own(struct shader_generator *g);
 
 // A member of struct shader_machine_frame as an operand.
 #define SHADER_FRAME(member) x86_at(X86_RSP, (int32_t)offsetof(struct shader_machine_frame, member))

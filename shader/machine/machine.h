@@ -28,6 +28,18 @@ struct shader_machine_code {
     size_t entry; // where the function begins
 };
 
+// Code that may be executed.
+struct shader_machine_block {
+    void *code; // NULL: there is none
+    size_t size, entry;
+};
+
+// Generate the code of a stage for execution. Return false where there is none: the machine is another one, the system
+// refuses, RHW_JIT is 0, or the stage needs more than there is.
+bool shader_machine_make(const struct shader_machine_stage *stage, enum rhw_shader_stage kind,
+                         struct shader_machine_block *block);
+void shader_machine_free(struct shader_machine_block *block);
+
 // Generate the code of a stage. Return false where it needs more of the stack than it may take. `registers` are those
 // that it may use, 16 or fewer, for tests.
 bool shader_machine_generate(struct shader_memory *memory, const struct shader_machine_stage *stage,

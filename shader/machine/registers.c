@@ -93,7 +93,7 @@ static void find_lasting(struct shader_generator *g, bool *is_lasting)
         uint32_t count;
         const uint32_t *const operands = shader_operands(form, &form->nodes[value], &count);
         is_lasting[value] = is_lasting[value] || op == SHADER_BUFFER || op == SHADER_WORKGROUP;
-        for (uint32_t o = 0; o < count && !g->plan.is_hoisted[value]; o++) {
+        for (uint32_t o = 0; o < count && (!g->plan.is_hoisted[value] || op == SHADER_BUFFER); o++) {
             is_lasting[operands[o]] = true;
         }
     }
@@ -285,7 +285,8 @@ static void vacate(struct shader_generator *g, int reg)
 
 static bool is_free(const struct shader_generator *g, int reg)
 {
-    return (g->allowed & ~g->locked) >> reg & 1 && g->holds[reg] == SHADER_NONE;
+    return (g->allowed & ~g->locked) >> reg & 1 &&
+           (g->holds[reg] == SHADER_NONE || !lives_at(g, g->holds[reg], g->place));
 }
 
 static int free_register(const struct shader_generator *g)
@@ -301,7 +302,9 @@ static int free_register(const struct shader_generator *g)
 int shader_temporary(struct shader_generator *g)
 {
     int best = free_register(g);
-    if (best < 0) {
+    if (best >= 0) {
+        vacate(g, best);
+    } else {
         uint64_t latest = 0;
         for (int r = 0; r < REGISTERS; r++) {
             if (((g->allowed & ~g->locked) >> r & 1) == 0) {
