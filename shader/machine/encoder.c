@@ -40,11 +40,6 @@ struct shader_fix {
     bool is_constant;
 };
 
-struct shader_pool_constant {
-    uint32_t words[8];
-    uint32_t size, place, next;
-};
-
 // Bytes ----------------------------------------------------------------------------------------------
 
 void shader_encoder_init(struct shader_encoder *encoder, struct shader_memory *memory)
@@ -68,6 +63,20 @@ static void put(struct shader_encoder *encoder, uint64_t number, int count)
     for (int i = 0; i < count; i++) {
         encoder->bytes[encoder->size++] = (uint8_t)(number >> (8 * i));
     }
+}
+
+static void record(struct shader_encoder *encoder, unsigned instruction, int reg, int source,
+                   struct x86_operand rm, int32_t immediate)
+{
+    if (!encoder->has_records) {
+        return;
+    }
+    if (encoder->record_count == encoder->record_room) {
+        encoder->records =
+            shader_grow(encoder->memory, encoder->records, &encoder->record_room, sizeof *encoder->records);
+    }
+    encoder->records[encoder->record_count++] = (struct shader_record){
+        (uint32_t)encoder->size, instruction, (int8_t)reg, (int8_t)source, rm, immediate};
 }
 
 static bool is_byte(int32_t number)
@@ -206,6 +215,7 @@ void shader_encode(struct shader_encoder *encoder, unsigned instruction, int reg
                    struct x86_operand rm, int32_t immediate)
 {
     const struct encoding *const encoding = &encodings[instruction & 0xff];
+    record(encoder, instruction, reg, source, rm, immediate);
     reserve(encoder, LONGEST);
     if (encoding->is_vex) {
         encode_vex(encoder, encoding, instruction & ~0xffu, reg, source, rm, immediate);
@@ -217,6 +227,8 @@ void shader_encode(struct shader_encoder *encoder, unsigned instruction, int reg
 void shader_encode_number(struct shader_encoder *encoder, int reg, uint64_t number)
 {
     const unsigned low = (unsigned)(reg & 7);
+    record(encoder, X86_NUMBER, reg, 0, x86_at(0, (int32_t)(uint32_t)number),
+           (int32_t)(uint32_t)(number >> 32));
     reserve(encoder, LONGEST);
     if (number > UINT32_MAX) {
         put(encoder, 0x48 | high(reg), 1);
@@ -229,12 +241,14 @@ void shader_encode_number(struct shader_encoder *encoder, int reg, uint64_t numb
 
 void shader_encode_vzeroupper(struct shader_encoder *encoder)
 {
+    record(encoder, X86_VZEROUPPER, 0, 0, x86_reg(0), 0);
     reserve(encoder, LONGEST);
     put(encoder, 0x77f8c5, 3);
 }
 
 void shader_encode_return(struct shader_encoder *encoder)
 {
+    record(encoder, X86_RETURN, 0, 0, x86_reg(0), 0);
     reserve(encoder, LONGEST);
     put(encoder, 0xc3, 1);
 }
@@ -251,6 +265,7 @@ void shader_encode_alignment(struct shader_encoder *encoder, unsigned alignment)
                                     0x0000441f0f66,
                                     0x00000000801f0f,
                                     0x0000000000841f0f};
+    record(encoder, X86_NOPS, 0, 0, x86_reg(0), (int32_t)alignment);
     reserve(encoder, LONGEST + (size_t)alignment);
     size_t left = (alignment - encoder->size % alignment) % alignment;
     while (left > 0) {
@@ -274,6 +289,7 @@ uint32_t shader_label_new(struct shader_encoder *encoder)
 
 void shader_label_place(struct shader_encoder *encoder, uint32_t label)
 {
+    record(encoder, X86_LABEL, 0, 0, x86_reg(0), (int32_t)label);
     encoder->labels[label] = (uint32_t)encoder->size;
 }
 
@@ -281,6 +297,8 @@ void shader_label_place(struct shader_encoder *encoder, uint32_t label)
 static void encode_jump(struct shader_encoder *encoder, unsigned short_opcode, unsigned long_opcode,
                         uint32_t label)
 {
+    const int condition = long_opcode > 0xff ? (int)(short_opcode & 15) : -1;
+    record(encoder, X86_JUMP, condition, 0, x86_reg(0), (int32_t)label);
     reserve(encoder, LONGEST);
     const int64_t distance = (int64_t)encoder->labels[label] - (int64_t)(encoder->size + 2);
     if (encoder->labels[label] != (uint32_t)NO_PLACE && distance >= INT8_MIN) {
@@ -354,6 +372,7 @@ static void put_pool(struct shader_encoder *encoder)
         reserve(encoder, 1);
         put(encoder, 0xcc, 1); // a trap
     }
+    encoder->pool = (uint32_t)encoder->size;
     static const uint32_t sizes[] = {32, 8, 4};
     for (int s = 0; s < 3; s++) {
         for (uint32_t i = 0; i < encoder->constant_count; i++) {
@@ -385,7 +404,7 @@ void shader_encode_mark(struct shader_encoder *encoder, uint32_t node)
 
 size_t shader_encoder_finish(struct shader_encoder *encoder)
 {
-    const size_t instructions = encoder->size;
+    encoder->code_size = (uint32_t)encoder->size;
     put_pool(encoder);
     for (uint32_t i = 0; i < encoder->fix_count; i++) {
         const struct shader_fix *const fix = &encoder->fixes[i];
@@ -394,5 +413,5 @@ size_t shader_encoder_finish(struct shader_encoder *encoder)
         const uint32_t distance = target - fix->from;
         memcpy(encoder->bytes + fix->place, &distance, sizeof distance);
     }
-    return instructions;
+    return encoder->code_size;
 }

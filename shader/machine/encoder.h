@@ -16,6 +16,13 @@ enum x86_instruction {
 #undef VEX
 #undef INT
     X86_INSTRUCTIONS,
+    // Those that are functions of their own, in records alone:
+    X86_JUMP = X86_INSTRUCTIONS, // to the label `immediate`; reg: the condition, or -1
+    X86_NUMBER,                  // reg := offset and immediate, the lower and the upper half
+    X86_VZEROUPPER,
+    X86_RETURN,
+    X86_NOPS,  // up to a multiple of `immediate` bytes
+    X86_LABEL, // `immediate` is placed
     // Or-ed to an instruction:
     X86_NARROW = 1 << 8, // vectors of 128 bits
     X86_WIDE = 1 << 9,   // integers of 64 bits; with VMOVD, VPEXTRD and VPINSRD, too
@@ -93,8 +100,18 @@ struct x86_operand {
     int32_t offset; // bytes
 };
 
+// An instruction as it was asked for.
+struct shader_record {
+    uint32_t place;
+    uint32_t instruction; // with its flags
+    int8_t reg, source;
+    struct x86_operand rm;
+    int32_t immediate;
+};
+
 struct shader_encoder {
     struct shader_memory *memory;
+    bool has_records; // what is appended is recorded, too, for print_code.h
     uint8_t *bytes;
     size_t size, room;
     uint32_t *labels; // places, by label; UINT32_MAX before they are known
@@ -107,9 +124,19 @@ struct shader_encoder {
     uint32_t constant_count;
     size_t constant_room;
     uint32_t constant_heads[256]; // chains of constants with one hash: number + 1
+    uint32_t code_size, pool;     // where instructions end, and where the pool begins
     struct shader_code_mark *marks;
     uint32_t mark_count;
     size_t mark_room;
+    struct shader_record *records;
+    uint32_t record_count;
+    size_t record_room;
+};
+
+// A constant of the pool.
+struct shader_pool_constant {
+    uint32_t words[8];
+    uint32_t size, place, next;
 };
 
 // From `place` on, code comes from a node of the form.

@@ -1,208 +1,85 @@
 // SPDX-License-Identifier: MIT
-// Every instruction of the encoder, with registers and memory of every kind, has the bytes that the assembler of the system
-// (binutils) gives it. Each lies in a slot of 16 bytes of its own, so that one that differs moves no other.
+// Every instruction of the encoder, with registers and memory of every kind, has the bytes that an assembler (binutils)
+// makes of the text that is printed for it. Each lies in a slot of 16 bytes, so that one that differs moves no other.
 #include "machine/encoder.h"
 
-#include <ctype.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "machine/print_code.h"
 #include "unit.h"
 
-enum { SLOT = 16, MOST_LINES = 1 << 15, LINE = 96 };
+enum { SLOT = 16 };
 enum shape { RM, MR, RVM, MVR, RMV, RMI, MRI, RVMI, RVMR, VMI, M, MI, MN, ML, RMN, O };
-enum width { BOTH, ALONE, NARROW, WIDE }; // which of the two widths of an instruction there are
+enum width { BOTH, FIRST, NARROW, WIDE }; // which of the two widths of an instruction there are
 
 static const struct {
-    const char *name;
     bool is_vex;
     enum shape shape;
 } instructions[X86_INSTRUCTIONS] = {
-#define VEX(name, prefix, map, w, opcode, shape, digit) [X86_##name] = {#name, true, shape},
-#define INT(name, prefix, map, opcode, shape, digit)    [X86_##name] = {#name, false, shape},
+#define VEX(name, prefix, map, w, opcode, shape, digit) [X86_##name] = {true, shape},
+#define INT(name, prefix, map, opcode, shape, digit)    [X86_##name] = {false, shape},
 #include "machine/instruction.inc"
 #undef VEX
 #undef INT
 };
 
-// What is not as the name and the shape say. Kinds of registers: y and x are vectors of 256 and 128 bits, q, d, w and b
-// integers of 64, 32, 16 and 8.
+// What an instruction does not have, and what the assembler has a shorter one for.
 static const struct {
-    const char *mnemonic;
-    char reg, rm;
     enum width width;
     bool no_memory, no_register;
-} specials[X86_INSTRUCTIONS] = {
-    [X86_VMOVD] = {.rm = 'd', .width = NARROW},
-    [X86_VMOVD_STORE] = {.rm = 'd', .width = NARROW},
-    [X86_VBROADCASTSS] = {.rm = 'x'},
-    [X86_VBROADCASTF128] = {.width = ALONE, .no_register = true},
-    [X86_VPMOVZXBD] = {.rm = 'x'},
-    [X86_VPMOVZXWD] = {.rm = 'x'},
-    [X86_VPMOVSXBD] = {.rm = 'x'},
-    [X86_VPMOVSXWD] = {.rm = 'x'},
+} limits[X86_INSTRUCTIONS] = {
+    [X86_VMOVD] = {.width = NARROW},
+    [X86_VMOVD_STORE] = {.width = NARROW},
+    [X86_VBROADCASTF128] = {.width = FIRST, .no_register = true},
     [X86_VPMASKMOVD] = {.no_register = true},
     [X86_VPMASKMOVD_STORE] = {.no_register = true},
     [X86_VGATHERDPS] = {.no_register = true},
     [X86_VPGATHERDD] = {.no_register = true},
-    [X86_VPERMD] = {.width = ALONE},
-    [X86_VPERMQ] = {.width = ALONE},
-    [X86_VPERM2F128] = {.width = ALONE},
-    [X86_VEXTRACTI128] = {.rm = 'x', .width = ALONE},
-    [X86_VINSERTI128] = {.rm = 'x', .width = ALONE},
-    [X86_VPEXTRD] = {.rm = 'd', .width = NARROW},
-    [X86_VPINSRD] = {.rm = 'd', .width = NARROW},
-    [X86_VCVTPH2PS] = {.rm = 'x'},
-    [X86_VCVTPS2PH] = {.rm = 'x'},
-    [X86_VMOVMSKPS] = {.reg = 'd', .no_memory = true},
+    [X86_VPERMD] = {.width = FIRST},
+    [X86_VPERMQ] = {.width = FIRST},
+    [X86_VPERM2F128] = {.width = FIRST},
+    [X86_VEXTRACTI128] = {.width = FIRST},
+    [X86_VINSERTI128] = {.width = FIRST},
+    [X86_VPEXTRD] = {.width = NARROW},
+    [X86_VPINSRD] = {.width = NARROW},
+    [X86_VMOVMSKPS] = {.no_memory = true},
     [X86_VPSLLD_I] = {.no_memory = true},
     [X86_VPSRLD_I] = {.no_memory = true},
     [X86_VPSRAD_I] = {.no_memory = true},
     [X86_VPSLLQ_I] = {.no_memory = true},
     [X86_VPSRLQ_I] = {.no_memory = true},
-    [X86_MOV_STORE16] = {.reg = 'w', .rm = 'w', .width = ALONE},
-    [X86_MOV_STORE8] = {.reg = 'b', .rm = 'b', .width = ALONE},
+    [X86_MOV_STORE16] = {.width = FIRST},
+    [X86_MOV_STORE8] = {.width = FIRST},
     [X86_MOV_I] = {.no_register = true}, // the assembler has a shorter one
-    [X86_MOVZX8] = {.mnemonic = "movzx", .rm = 'b'},
-    [X86_MOVZX16] = {.mnemonic = "movzx", .rm = 'w'},
-    [X86_MOVSX8] = {.mnemonic = "movsx", .rm = 'b'},
-    [X86_MOVSX16] = {.mnemonic = "movsx", .rm = 'w'},
-    [X86_MOVSXD] = {.rm = 'd', .width = WIDE},
+    [X86_MOVSXD] = {.width = WIDE},
     [X86_LEA] = {.no_register = true},
-    [X86_XCHG] = {.no_register = true}, // its operands may be exchanged
-    [X86_CMOV] = {.mnemonic = "cmova"},
-    [X86_SET] = {.mnemonic = "seta", .rm = 'b', .width = ALONE},
-    [X86_CALL] = {.rm = 'q', .width = ALONE},
-    [X86_JMP] = {.rm = 'q', .width = ALONE},
-    [X86_PUSH] = {.reg = 'q', .width = ALONE},
-    [X86_POP] = {.reg = 'q', .width = ALONE},
+    [X86_XCHG] = {.no_register = true}, // the assembler may exchange registers
+    [X86_SET] = {.width = FIRST},
+    [X86_CALL] = {.width = FIRST},
+    [X86_JMP] = {.width = FIRST},
+    [X86_PUSH] = {.width = FIRST},
+    [X86_POP] = {.width = FIRST},
 };
 
-static char lines[MOST_LINES][LINE];
-static uint8_t lengths[MOST_LINES];
-static int line_count;
 static struct shader_encoder encoder;
 static struct shader_memory memory;
 
-// Texts ----------------------------------------------------------------------------------------------
-
-static const char *register_name(char kind, int number, char name[8])
-{
-    static const char *const low[] = {"ax", "cx", "dx", "bx", "sp", "bp", "si", "di"};
-    if (kind == 'x' || kind == 'y') {
-        snprintf(name, 8, "%cmm%d", kind, number & 15);
-    } else if (number >= 8) {
-        snprintf(name, 8, "r%d%s", number & 15,
-                 kind == 'q'   ? ""
-                 : kind == 'd' ? "d"
-                 : kind == 'w' ? "w"
-                               : "b");
-    } else if (kind == 'b') {
-        snprintf(name, 8, "%.*sl", number < 4 ? 1 : 2, low[number]);
-    } else {
-        snprintf(name, 8, "%s%s", kind == 'q' ? "r" : kind == 'd' ? "e" : "", low[number]);
-    }
-    return name;
-}
-
-static void operand_text(struct x86_operand operand, char kind, char index_kind, char text[64])
-{
-    char base[8], index[8];
-    if (operand.reg >= 0) {
-        register_name(kind, operand.reg, text);
-        return;
-    }
-    const char *const size = kind == 'q'   ? "qword ptr "
-                             : kind == 'd' ? "dword ptr "
-                             : kind == 'w' ? "word ptr "
-                             : kind == 'b' ? "byte ptr "
-                                           : "";
-    if (operand.base < 0) {
-        snprintf(text, 64, "%s[rip + pool + %d]", size, 32 * operand.offset);
-    } else if (operand.index >= 0) {
-        snprintf(text, 64, "%s[%s + %s*%d + %d]", size, register_name('q', operand.base, base),
-                 register_name(index_kind, operand.index, index), 1 << operand.shift, (int)operand.offset);
-    } else {
-        snprintf(text, 64, "%s[%s + %d]", size, register_name('q', operand.base, base), (int)operand.offset);
-    }
-}
-
-static const char *mnemonic_of(unsigned instruction, char text[32])
-{
-    if (specials[instruction].mnemonic) {
-        return specials[instruction].mnemonic;
-    }
-    int length = 0;
-    for (const char *c = instructions[instruction].name; *c != '\0' && *c != '_'; c++) {
-        text[length++] = (char)tolower((unsigned char)*c);
-    }
-    text[length] = '\0';
-    return text;
-}
-
-// One instruction ------------------------------------------------------------------------------------
-
 static void begin_slot(void)
 {
-    assert_in_range(line_count, 0, MOST_LINES - 1);
     shader_encode_alignment(&encoder, SLOT);
-    assert_int_equal(encoder.size, (size_t)line_count * SLOT);
 }
 
-static void end_slot(void)
-{
-    const size_t length = encoder.size - (size_t)line_count * SLOT;
-    assert_in_range(length, 1, SLOT - 1);
-    lengths[line_count++] = (uint8_t)length;
-}
-
-// Add an instruction as bytes and as a text in Intel's syntax: the destination comes first.
 static void add(unsigned instruction, unsigned flags, int reg, int source, struct x86_operand rm,
                 int32_t immediate)
 {
     const enum shape shape = instructions[instruction].shape;
-    const bool is_vex = instructions[instruction].is_vex;
-    const char kind = is_vex ? (flags & X86_NARROW ? 'x' : 'y') : flags & X86_WIDE ? 'q' : 'd';
-    const char reg_kind = specials[instruction].reg ? specials[instruction].reg : kind;
-    const char rm_kind = specials[instruction].rm ? specials[instruction].rm : kind;
-    const bool is_gather = shape == RMV, has_own_size = is_vex && rm_kind != 'd';
-    char r[8], v[8], m[64], name[32];
-    register_name(reg_kind, reg, r);
-    register_name(kind, source, v);
-    operand_text(rm, rm.reg < 0 && has_own_size ? 'y' : rm_kind, is_gather ? kind : 'q', m);
-    const char *const lock = flags & X86_LOCK ? "lock " : "";
-    const char *const form = shape == MR                                    ? "{store} "
-                             : shape == RM || shape == RVM || shape == RVMI ? "{load} "
-                                                                            : "";
-    char *const line = lines[line_count];
-    const int length = snprintf(line, LINE, "%s%s%s ", lock, form, mnemonic_of(instruction, name));
-    char *const operands = line + length;
-    const size_t room = LINE - (size_t)length;
-    switch (shape) {
-    case RM: snprintf(operands, room, "%s, %s", r, m); break;
-    case MR: snprintf(operands, room, "%s, %s", m, r); break;
-    case RVM: snprintf(operands, room, "%s, %s, %s", r, v, m); break;
-    case MVR: snprintf(operands, room, "%s, %s, %s", m, v, r); break;
-    case RMV: snprintf(operands, room, "%s, %s, %s", r, m, v); break;
-    case RMI:
-    case VMI:
-    case RMN: snprintf(operands, room, "%s, %s, %d", r, m, (int)immediate); break;
-    case MRI: snprintf(operands, room, "%s, %s, %d", m, r, (int)immediate); break;
-    case RVMI: snprintf(operands, room, "%s, %s, %s, %d", r, v, m, (int)immediate); break;
-    case RVMR: snprintf(operands, room, "%s, %s, %s, %cmm%d", r, v, m, kind, (int)immediate); break;
-    case M: snprintf(operands, room, "%s", m); break;
-    case MI:
-    case MN:
-    case ML: snprintf(operands, room, "%s, %d", m, (int)immediate); break;
-    case O: snprintf(operands, room, "%s", r); break;
-    }
     const bool has_digit = shape == M || shape == MI || shape == MN || shape == ML;
-    const unsigned condition =
-        instruction == X86_CMOV || instruction == X86_SET ? X86_IF((unsigned)X86_ABOVE) : 0;
+    const bool has_condition = instruction == X86_CMOV || instruction == X86_SET;
+    const unsigned condition = has_condition ? X86_IF((unsigned)(reg & 15)) : 0;
     begin_slot();
     shader_encode(&encoder, instruction | flags | condition, has_digit ? 0 : reg, source, rm, immediate);
-    end_slot();
 }
 
 // All of them ----------------------------------------------------------------------------------------
@@ -258,15 +135,15 @@ static void add_memory(unsigned instruction, unsigned flags)
 
 static void add_all(unsigned instruction)
 {
-    const enum width width = specials[instruction].width;
+    const enum width width = limits[instruction].width;
     const unsigned flag = instructions[instruction].is_vex ? X86_NARROW : X86_WIDE;
     for (int i = 0; i < 2; i++) {
         const unsigned flags = i == 0 ? 0 : flag;
-        if (width == (i == 0 ? ALONE : flag == X86_NARROW ? NARROW : WIDE) || width == BOTH) {
-            if (!specials[instruction].no_register) {
+        if (width == (i == 0 ? FIRST : flag == X86_NARROW ? NARROW : WIDE) || width == BOTH) {
+            if (!limits[instruction].no_register) {
                 add_registers(instruction, flags);
             }
-            if (!specials[instruction].no_memory && instructions[instruction].shape != O) {
+            if (!limits[instruction].no_memory && instructions[instruction].shape != O) {
                 add_memory(instruction, flags);
             }
             if (instruction == X86_XADD || instruction == X86_CMPXCHG) {
@@ -276,60 +153,34 @@ static void add_all(unsigned instruction)
     }
 }
 
-// Add what is no row of the table. Jumps go to the first slot, and behind the last one.
+// Add what is no row of the table: jumps to the first slot, to themselves, and behind the last one.
 static void add_others(void)
 {
     static const uint64_t numbers[] = {0, 5, UINT32_MAX, 1ull << 32, UINT64_MAX};
-    static const char *const conditions[] = {"o", "no", "b", "ae", "e", "ne", "be", "a",
-                                             "s", "ns", "p", "np", "l", "ge", "le", "g"};
-    const uint32_t first = 0, last = shader_label_new(&encoder);
+    const uint32_t first = 0, last = shader_label_new(&encoder), here = shader_label_new(&encoder);
     for (int i = 0; i < 10; i++) {
-        const int reg = (3 * i + 1) & 15;
-        char name[8];
-        snprintf(lines[line_count], LINE, "%s %s, %llu", numbers[i / 2] > UINT32_MAX ? "movabs" : "mov",
-                 register_name(numbers[i / 2] > UINT32_MAX ? 'q' : 'd', reg, name),
-                 (unsigned long long)numbers[i / 2]);
         begin_slot();
-        shader_encode_number(&encoder, reg, numbers[i / 2]);
-        end_slot();
+        shader_encode_number(&encoder, (3 * i + 1) & 15, numbers[i / 2]);
     }
     for (unsigned i = 0; i < 16; i++) {
-        snprintf(lines[line_count], LINE, "j%s %s", conditions[i], i % 2 ? "first" : "last");
         begin_slot();
         shader_encode_jump_if(&encoder, (enum x86_condition)i, i % 2 ? first : last);
-        end_slot();
     }
-    const uint32_t here = shader_label_new(&encoder);
-    shader_encode_alignment(&encoder, SLOT);
-    shader_label_place(&encoder, here);
-    snprintf(lines[line_count], LINE, "here: jne here");
     begin_slot();
+    shader_label_place(&encoder, here);
     shader_encode_jump_if(&encoder, X86_NOT_EQUAL, here);
-    end_slot();
-    snprintf(lines[line_count], LINE, "jmp here");
     begin_slot();
     shader_encode_jump(&encoder, here);
-    end_slot();
-    snprintf(lines[line_count], LINE, "jmp last");
     begin_slot();
     shader_encode_jump(&encoder, last);
-    end_slot();
-    snprintf(lines[line_count], LINE, "vzeroupper");
     begin_slot();
     shader_encode_vzeroupper(&encoder);
-    end_slot();
-    snprintf(lines[line_count], LINE, "ret");
-    begin_slot();
-    shader_encode_return(&encoder);
-    end_slot();
     // Too far for a jump of two bytes, which the encoder does not take forward.
     for (int i = 0; i < 128 / SLOT; i++) {
         begin_slot();
         shader_encode_return(&encoder);
-        snprintf(lines[line_count], LINE, "ret");
-        end_slot();
     }
-    shader_encode_alignment(&encoder, SLOT);
+    begin_slot();
     shader_label_place(&encoder, last);
     shader_encoder_finish(&encoder);
 }
@@ -337,8 +188,8 @@ static void add_others(void)
 __attribute__((noinline)) static void add_everything(void)
 {
     shader_encoder_init(&encoder, &memory);
+    encoder.has_records = true;
     shader_label_place(&encoder, shader_label_new(&encoder));
-    line_count = 0;
     for (unsigned i = 0; i < X86_INSTRUCTIONS; i++) {
         add_all(i);
     }
@@ -356,49 +207,87 @@ static bool run(const char *format)
     return system(command) == 0;
 }
 
+// Registers alone may be written in two ways. Return which one the encoder takes, as the assembler is told.
+static const char *form_of(uint32_t instruction)
+{
+    if ((instruction & 0xff) >= X86_INSTRUCTIONS || instruction & X86_LOCK) {
+        return "";
+    }
+    switch (instructions[instruction & 0xff].shape) {
+    case MR: return "{store} ";
+    case RM:
+    case RVM:
+    case RVMI: return "{load} ";
+    default: return "";
+    }
+}
+
 static void write_text(void)
 {
-    char path[64];
+    char path[64], text[SHADER_INSTRUCTION_TEXT];
     snprintf(path, sizeof path, "%s/t.s", folder);
     FILE *const file = fopen(path, "w");
     assert_non_null(file);
-    fprintf(file, ".intel_syntax noprefix\n.text\nfirst:\n");
-    for (int i = 0; i < line_count; i++) {
-        fprintf(file, "%s\n.balign 16, 0xcc\n", lines[i]);
+    fprintf(file, ".intel_syntax noprefix\n.text\n");
+    for (uint32_t i = 0; i < encoder.record_count; i++) {
+        const struct shader_record *const record = &encoder.records[i];
+        const bool is_filling = record->instruction == X86_NOPS;
+        shader_write_instruction(&encoder, record, text);
+        fprintf(file, "%s%s%s\n", form_of(record->instruction), text, is_filling ? ", 0xcc" : "");
     }
-    fprintf(file, "last:\n.balign 32, 0xcc\npool:\n.skip %d\n", 32 * X86_INSTRUCTIONS);
+    fprintf(file, ".balign 32, 0xcc\npool:\n.skip %zu\n", encoder.size - encoder.pool);
     assert_int_equal(fclose(file), 0);
+}
+
+static void print_bytes(const char *title, const uint8_t *bytes, int length)
+{
+    print_error("  %-9s", title);
+    for (int i = 0; i < length; i++) {
+        print_error(" %02x", bytes[i]);
+    }
+    print_error("\n");
+}
+
+// Return whether the slot of an instruction is as the assembler fills it.
+static bool compare_slot(const struct shader_record *record, FILE *file)
+{
+    uint8_t slot[SLOT];
+    char text[SHADER_INSTRUCTION_TEXT];
+    const uint8_t *const own = encoder.bytes + record->place;
+    const int length = (int)((record + 1)->place - record->place);
+    assert_in_range(length, 1, SLOT - 1);
+    assert_int_equal(fseek(file, (long)record->place, SEEK_SET), 0);
+    assert_int_equal(fread(slot, 1, SLOT, file), SLOT);
+    if (memcmp(own, slot, (size_t)length) == 0 && slot[length] == 0xcc) {
+        return true;
+    }
+    shader_write_instruction(&encoder, record, text);
+    print_error("%s\n", text);
+    print_bytes("encoder", own, length);
+    print_bytes("assembler", slot, SLOT - 1);
+    return false;
 }
 
 static void compare(void)
 {
     char path[64];
+    int count = 0, failed = 0;
     snprintf(path, sizeof path, "%s/t.bin", folder);
     FILE *const file = fopen(path, "rb");
     assert_non_null(file);
-    int failed = 0;
-    for (int i = 0; i < line_count; i++) {
-        uint8_t slot[SLOT];
-        assert_int_equal(fread(slot, 1, SLOT, file), SLOT);
-        const uint8_t *const own = encoder.bytes + (size_t)i * SLOT;
-        const int length = lengths[i];
-        if (memcmp(own, slot, (size_t)length) != 0 || slot[length] != 0xcc) {
-            print_error("%s\n  encoder  ", lines[i]);
-            for (int b = 0; b < SLOT - 1; b++) {
-                print_error(b < length ? " %02x" : "", own[b]);
-            }
-            print_error("\n  assembler");
-            for (int b = 0; b < SLOT - 1; b++) {
-                print_error(" %02x", slot[b]);
-            }
-            print_error("\n");
-            failed++;
+    for (uint32_t i = 0; i < encoder.record_count; i++) {
+        const struct shader_record *const record = &encoder.records[i];
+        if (record->instruction != X86_NOPS && record->instruction != X86_LABEL) {
+            assert_int_equal(record->place % SLOT, 0);
+            failed += compare_slot(record, file) ? 0 : 1;
+            count++;
         }
     }
     fclose(file);
     if (failed > 0) {
-        fail_msg("%d of %d instructions differ", failed, line_count);
+        fail_msg("%d of %d instructions differ", failed, count);
     }
+    assert_in_range(count, 15000, 20000);
 }
 
 static void test_instructions_are_those_of_the_assembler(void **state)
@@ -420,6 +309,37 @@ static void test_instructions_are_those_of_the_assembler(void **state)
     shader_memory_free(&memory);
 }
 
+static void test_each_constant_is_there_once(void **state)
+{
+    (void)state;
+    static const uint64_t pointer = 0x123456789abcdef0;
+    shader_memory_init(&memory, (size_t)1 << 20);
+    if (setjmp(memory.end) != 0) {
+        fail_msg("%s", memory.message);
+    }
+    shader_encoder_init(&encoder, &memory);
+    assert_int_equal(shader_pool_scalar(&encoder, 7).offset, 0);
+    assert_int_equal(shader_pool_bytes(&encoder, &pointer, sizeof pointer).offset, 1);
+    assert_int_equal(shader_pool_splat(&encoder, 7).offset, 2);
+    assert_int_equal(shader_pool_scalar(&encoder, 7).offset, 0);
+    assert_int_equal(shader_pool_splat(&encoder, 7).offset, 2);
+    for (uint32_t i = 0; i < 1000; i++) { // many share a chain
+        assert_int_equal(shader_pool_scalar(&encoder, 8 + i).offset, 3 + i);
+    }
+    for (uint32_t i = 0; i < 1000; i++) {
+        assert_int_equal(shader_pool_scalar(&encoder, 8 + i).offset, 3 + i);
+    }
+    shader_encode_return(&encoder);
+    assert_int_equal(shader_encoder_finish(&encoder), 1);
+    assert_int_equal(encoder.size, 32 + 32 + 8 + 4 * 1001);
+    for (uint32_t i = 0; i < encoder.constant_count; i++) {
+        const struct shader_pool_constant *const constant = &encoder.constants[i];
+        assert_int_equal(constant->place % constant->size, 0);
+        assert_memory_equal(encoder.bytes + constant->place, constant->words, constant->size);
+    }
+    shader_memory_free(&memory);
+}
+
 static int make_folder(void **state)
 {
     (void)state;
@@ -434,6 +354,7 @@ static int remove_folder(void **state)
 
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_instructions_are_those_of_the_assembler),
+    cmocka_unit_test(test_each_constant_is_there_once),
 };
 
 const struct unit_tests test_encoder = UNIT_TESTS(tests, make_folder, remove_folder);
