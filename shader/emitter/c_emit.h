@@ -5,6 +5,7 @@
 
 #include "form/plan.h"
 #include "c_text.h"
+#include "emitter.h"
 
 struct shader_c_pair {
     uint32_t texture, sampler; // BUFFER nodes

@@ -172,18 +172,23 @@ static bool has_work(const struct shader_interface *fragment)
 static shader_function *generate(rhw_shader_program *program, enum rhw_shader_stage kind)
 {
     const struct shader_bytecode *const bytecode = &program->bytecode[kind];
-    const struct shader_machine_stage stage = {.form = program->shaders[kind]->form,
-                                               .slots = program->slots[kind],
+    const struct shader_program *const form = program->shaders[kind]->form;
+    struct shader_machine_slot *const slots = calloc(form->resource_count + 1, sizeof *slots);
+    for (uint32_t r = 0; slots && r < form->resource_count; r++) {
+        const struct shader_slot *const slot = &program->slots[kind][r];
+        slots[r] = (struct shader_machine_slot){slot->set, slot->first, slot->count};
+    }
+    const struct shader_machine_stage stage = {.form = form,
+                                               .slots = slots,
                                                .component_of = bytecode->component_of,
                                                .is_linear = bytecode->is_linear,
                                                .w_component = bytecode->w_component,
                                                .batch = bytecode->batch,
                                                .target_count = bytecode->target_count};
     struct shader_machine_block *const block = &program->machine[kind];
-    if (!shader_machine_make(&stage, kind, block)) {
-        return NULL;
-    }
-    return (shader_function *)((uintptr_t)block->code + block->entry);
+    const bool is_made = slots && shader_machine_make(&stage, kind, block);
+    free(slots);
+    return is_made ? (shader_function *)((uintptr_t)block->code + block->entry) : NULL;
 }
 
 // Put generated code where instruction sets have what it needs.

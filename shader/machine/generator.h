@@ -128,7 +128,7 @@ struct x86_operand shader_anywhere(struct shader_generator *g, uint32_t value);
 // Nobody reads the operands of this node any more that end with it: their registers are free for its result.
 void shader_end_operands(struct shader_generator *g);
 // A register for what a node gives.
-int shader_define(struct shader_generator *g, uint32_t value);
+int shader_result(struct shader_generator *g, uint32_t value);
 // A register has a value from now on.
 void shader_assign(struct shader_generator *g, uint32_t value, int reg);
 void shader_unlock(struct shader_generator *g);
@@ -165,7 +165,7 @@ shader_call_function *shader_machine_function(unsigned which);
 
 // What an integer register receives.
 struct shader_argument {
-    enum { SHADER_NUMBER, SHADER_ADDRESS, SHADER_WORD, SHADER_POINTER } kind; // what an operand is or has
+    enum { SHADER_BY_NUMBER, SHADER_BY_ADDRESS, SHADER_BY_WORD, SHADER_BY_POINTER } kind; // what an operand is or has
     uint64_t number;
     struct x86_operand at;
 };
@@ -199,7 +199,7 @@ struct shader_argument shader_site_argument(struct shader_generator *g, uint32_t
                                             uint32_t flags, uint32_t width);
 uint32_t shader_element_of(const struct shader_generator *g, uint32_t buffer);
 // Put textures and samplers together, once a call.
-void shader_find_pairs(struct shader_generator *g);
+void shader_pair_once(struct shader_generator *g);
 
 // flow.c ---------------------------------------------------------------------------------------------
 

@@ -42,7 +42,7 @@ static void put_together(struct shader_generator *g, uint32_t texture, uint32_t 
     shader_invoke(g, &call);
 }
 
-void shader_find_pairs(struct shader_generator *g)
+void shader_pair_once(struct shader_generator *g)
 {
     for (uint32_t i = 0; i < g->form->code_count; i++) {
         struct shader_node *const node = &g->form->nodes[g->form->code[i]];
@@ -168,7 +168,7 @@ static void place_part(struct shader_generator *g, uint32_t value)
     if (v->is_kept && !whole->is_kept) {
         struct x86_operand at = shader_home_of(g, node->operands[0]);
         at.offset += (int32_t)(VECTOR * node->immediate);
-        shader_put(g, X86_VMOVUPS, shader_define(g, value), 0, at);
+        shader_put(g, X86_VMOVUPS, shader_result(g, value), 0, at);
         return;
     }
     v->home = whole->home;

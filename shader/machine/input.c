@@ -12,7 +12,7 @@ static void place_value(struct shader_generator *g, uint32_t value, enum shader_
 // Load what a pointer of the group points to.
 static void load_behind(struct shader_generator *g, uint32_t value, size_t pointer, uint32_t component)
 {
-    const int result = shader_define(g, value);
+    const int result = shader_result(g, value);
     shader_put(g, X86_MOV | X86_WIDE, X86_RAX, 0, x86_at(X86_RBX, (int32_t)pointer));
     shader_put(g, X86_VMOVUPS, result, 0, x86_at(X86_RAX, (int32_t)(component * VECTOR)));
 }
@@ -64,12 +64,12 @@ static void invoke_sample_place(struct shader_generator *g, uint32_t value)
 static void define_lane_numbers(struct shader_generator *g, uint32_t value)
 {
     static const int32_t numbers[RHW_LANES] = {0, 1, 2, 3, 4, 5, 6, 7};
-    shader_put(g, X86_VMOVUPS, shader_define(g, value), 0, shader_pool_bytes(&g->code, numbers, sizeof numbers));
+    shader_put(g, X86_VMOVUPS, shader_result(g, value), 0, shader_pool_bytes(&g->code, numbers, sizeof numbers));
 }
 
 static void define_zero(struct shader_generator *g, uint32_t value)
 {
-    const int result = shader_define(g, value);
+    const int result = shader_result(g, value);
     shader_put(g, X86_VXORPS, result, result, x86_reg(result));
 }
 
@@ -91,7 +91,7 @@ static void select_fragment_built_in(struct shader_generator *g, uint32_t value,
         [SHADER_IN_VIEWPORT] = offsetof(struct rhw_fragment, viewport_index),
     };
     if (number == SHADER_IN_SAMPLE_MASK) { // which outputs change
-        shader_put(g, X86_VMOVUPS, shader_define(g, value), 0,
+        shader_put(g, X86_VMOVUPS, shader_result(g, value), 0,
                    x86_at(X86_RBX, offsetof(struct rhw_fragment, sample_mask)));
     } else if (number == SHADER_IN_LANE) {
         define_lane_numbers(g, value);
@@ -119,7 +119,7 @@ static void select_invocation_built_in(struct shader_generator *g, uint32_t valu
             number >= SHADER_IN_WORKGROUP
                 ? offsetof(struct rhw_workgroup, id) + sizeof(int32_t) * (number - SHADER_IN_WORKGROUP)
                 : offsetof(struct rhw_workgroup, counts) + sizeof(int32_t) * (number - SHADER_IN_WORKGROUP_COUNT);
-        shader_put(g, X86_VBROADCASTSS, shader_define(g, value), 0, x86_at(X86_R14, (int32_t)offset));
+        shader_put(g, X86_VBROADCASTSS, shader_result(g, value), 0, x86_at(X86_R14, (int32_t)offset));
     } else {
         define_zero(g, value);
     }

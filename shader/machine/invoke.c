@@ -7,17 +7,17 @@
 
 struct shader_argument shader_number_argument(uint64_t number)
 {
-    return (struct shader_argument){SHADER_NUMBER, number, x86_reg(0)};
+    return (struct shader_argument){SHADER_BY_NUMBER, number, x86_reg(0)};
 }
 
 struct shader_argument shader_address_argument(struct x86_operand at)
 {
-    return (struct shader_argument){SHADER_ADDRESS, 0, at};
+    return (struct shader_argument){SHADER_BY_ADDRESS, 0, at};
 }
 
 struct shader_argument shader_pointer_argument(struct x86_operand at)
 {
-    return (struct shader_argument){SHADER_POINTER, 0, at};
+    return (struct shader_argument){SHADER_BY_POINTER, 0, at};
 }
 
 struct shader_argument shader_bound_argument(void)
@@ -102,10 +102,10 @@ static void put_arguments(struct shader_generator *g, const struct shader_invoca
     for (int i = 0; i < invocation->argument_count; i++) {
         const struct shader_argument *const argument = &invocation->arguments[i];
         switch (argument->kind) {
-        case SHADER_NUMBER: shader_encode_number(&g->code, registers[i], argument->number); break;
-        case SHADER_ADDRESS: shader_put(g, X86_LEA | X86_WIDE, registers[i], 0, argument->at); break;
-        case SHADER_POINTER: shader_put(g, X86_MOV | X86_WIDE, registers[i], 0, argument->at); break;
-        case SHADER_WORD: shader_put(g, X86_MOV, registers[i], 0, argument->at); break;
+        case SHADER_BY_NUMBER: shader_encode_number(&g->code, registers[i], argument->number); break;
+        case SHADER_BY_ADDRESS: shader_put(g, X86_LEA | X86_WIDE, registers[i], 0, argument->at); break;
+        case SHADER_BY_POINTER: shader_put(g, X86_MOV | X86_WIDE, registers[i], 0, argument->at); break;
+        case SHADER_BY_WORD: shader_put(g, X86_MOV, registers[i], 0, argument->at); break;
         }
     }
 }

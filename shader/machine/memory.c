@@ -77,7 +77,7 @@ static void find_binding(struct shader_generator *g, uint32_t value)
     shader_flush(g, 0); // the element is at home
     const struct shader_argument element =
         is_number ? shader_number_argument(g->form->nodes[node->operands[0]].immediate)
-                  : (struct shader_argument){SHADER_WORD, 0, shader_home_of(g, node->operands[0])};
+                  : (struct shader_argument){SHADER_BY_WORD, 0, shader_home_of(g, node->operands[0])};
     const struct shader_invocation call = {
         .which = SHADER_CALL_FIND_WORDS,
         .argument_count = 4,
@@ -132,10 +132,10 @@ static void load_push_word(struct shader_generator *g, uint32_t value)
         .which = SHADER_CALL_PUSH_WORD,
         .argument_count = 2,
         .arguments = {shader_bound_argument(), is_known ? shader_number_argument(index)
-                                                        : (struct shader_argument){SHADER_WORD, 0, SHADER_FRAME(number)}},
+                                                        : (struct shader_argument){SHADER_BY_WORD, 0, SHADER_FRAME(number)}},
         .result = SHADER_NONE};
     shader_invoke(g, &call);
-    const int result = shader_define(g, value);
+    const int result = shader_result(g, value);
     shader_put(g, X86_VMOVD | X86_NARROW, result, 0, x86_reg(X86_RAX));
     shader_put(g, X86_VBROADCASTSS, result, 0, x86_reg(result));
 }
@@ -148,7 +148,7 @@ static void load_word(struct shader_generator *g, uint32_t value, struct x86_ope
     uint32_t index = 0;
     const bool is_known = put_index(g, node->operands[1], node->immediate, &index);
     shader_end_operands(g);
-    const int result = shader_define(g, value);
+    const int result = shader_result(g, value);
     const uint32_t end = shader_label_new(&g->code);
     if (is_known) {
         shader_encode_number(&g->code, X86_RAX, index);
@@ -375,7 +375,7 @@ static void length(struct shader_generator *g, uint32_t value)
         shader_invoke(g, &call);
         return;
     }
-    const int result = shader_define(g, value);
+    const int result = shader_result(g, value);
     const uint32_t fits = shader_label_new(&g->code);
     shader_put(g, X86_MOV, X86_RAX, 0, found_at(g, buffer, offsetof(struct shader_found, count)));
     shader_encode(&g->code, X86_CMP_I, 0, 0, x86_reg(X86_RAX), INT32_MAX / 2);

@@ -375,7 +375,7 @@ void shader_end_operands(struct shader_generator *g)
     }
 }
 
-int shader_define(struct shader_generator *g, uint32_t value)
+int shader_result(struct shader_generator *g, uint32_t value)
 {
     const int reg = shader_temporary(g);
     shader_assign(g, value, reg);

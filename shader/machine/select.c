@@ -45,7 +45,7 @@ static void put_unary(struct shader_generator *g, uint32_t value, const struct n
 {
     const struct x86_operand a = shader_anywhere(g, operands_of(g, value)[0]);
     shader_end_operands(g);
-    const int result = shader_define(g, value);
+    const int result = shader_result(g, value);
     shader_encode(&g->code, notation->instruction, result, 0, a, notation->immediate);
 }
 
@@ -64,7 +64,7 @@ static void put_binary(struct shader_generator *g, uint32_t value, const struct 
     const int first = shader_in_register(g, a);
     const struct x86_operand second = shader_anywhere(g, b);
     shader_end_operands(g);
-    const int result = shader_define(g, value);
+    const int result = shader_result(g, value);
     shader_encode(&g->code, notation->instruction, result, first, second, notation->immediate);
 }
 
@@ -77,7 +77,7 @@ static void put_select(struct shader_generator *g, uint32_t value)
     const int truth = shader_in_register(g, operands[0]), otherwise = shader_in_register(g, operands[2]);
     const struct x86_operand then = shader_anywhere(g, operands[1]);
     shader_end_operands(g);
-    const int result = shader_define(g, value);
+    const int result = shader_result(g, value);
     shader_encode(&g->code, X86_VBLENDVPS, result, otherwise, then, truth);
 }
 
@@ -85,7 +85,7 @@ static void put_copy(struct shader_generator *g, uint32_t value)
 {
     const struct x86_operand a = shader_anywhere(g, operands_of(g, value)[0]);
     shader_end_operands(g);
-    const int result = shader_define(g, value);
+    const int result = shader_result(g, value);
     if (a.reg != result) {
         shader_put(g, X86_VMOVUPS, result, 0, a);
     }
@@ -95,7 +95,7 @@ static void put_not(struct shader_generator *g, uint32_t value)
 {
     const int a = shader_in_register(g, operands_of(g, value)[0]);
     shader_end_operands(g);
-    const int result = shader_define(g, value);
+    const int result = shader_result(g, value);
     shader_put(g, X86_VXORPS, result, a, shader_pool_splat(&g->code, UINT32_MAX));
 }
 
@@ -109,7 +109,7 @@ static void put_shift(struct shader_generator *g, uint32_t value)
         const unsigned instruction = is_left ? X86_VPSLLD_I : is_signed ? X86_VPSRAD_I : X86_VPSRLD_I;
         const int a = shader_in_register(g, node->operands[0]);
         shader_end_operands(g);
-        shader_encode(&g->code, instruction, shader_define(g, value), 0, x86_reg(a),
+        shader_encode(&g->code, instruction, shader_result(g, value), 0, x86_reg(a),
                       (int32_t)(by->immediate & 31));
         return;
     }
@@ -118,7 +118,7 @@ static void put_shift(struct shader_generator *g, uint32_t value)
     const int bits = shader_temporary(g);
     shader_put(g, X86_VANDPS, bits, b, shader_pool_splat(&g->code, 31));
     shader_end_operands(g);
-    shader_put(g, instruction, shader_define(g, value), a, x86_reg(bits));
+    shader_put(g, instruction, shader_result(g, value), a, x86_reg(bits));
 }
 
 // Signed comparison with the sign bits turned is unsigned comparison.
@@ -131,7 +131,7 @@ static void put_unsigned_less(struct shader_generator *g, uint32_t value)
     shader_put(g, X86_VXORPS, x, a, sign);
     shader_put(g, X86_VXORPS, y, b, sign);
     shader_end_operands(g);
-    shader_put(g, X86_VPCMPGTD, shader_define(g, value), y, x86_reg(x));
+    shader_put(g, X86_VPCMPGTD, shader_result(g, value), y, x86_reg(x));
 }
 
 static void put_call(struct shader_generator *g, uint32_t value)

@@ -95,7 +95,7 @@ static void generate_once(struct shader_generator *g)
         }
     }
     g->place = g->form->code_count;
-    shader_find_pairs(g);
+    shader_pair_once(g);
     shader_flush(g, UINT32_MAX);
     shader_forget_registers(g);
     for (uint32_t value = 0; value < g->value_count; value++) {

@@ -11,7 +11,7 @@ static void generate_wide(struct shader_generator *g, uint32_t begin, uint32_t e
 static void begin_homes(struct shader_generator *g, uint32_t run)
 {
     for (uint32_t home = g->plan.first_home[run]; home != 0; home = g->plan.next_home[home - 1]) {
-        const int reg = shader_define(g, home - 1);
+        const int reg = shader_result(g, home - 1);
         shader_put(g, X86_VBROADCASTSS, reg, 0,
                    shader_pool_scalar(&g->code, g->form->nodes[home - 1].immediate));
         shader_unlock(g);
