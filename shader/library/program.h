@@ -3,6 +3,7 @@
 #ifndef SHADER_PROGRAM_H
 #define SHADER_PROGRAM_H
 
+#include "machine/machine.h"
 #include "shader.h"
 
 enum { STAGES = RHW_SHADER_STAGE_COUNT, MAX_TARGETS = RHW_MAX_COLOR_ATTACHMENTS };
@@ -12,6 +13,7 @@ struct rhw_shader_program {
     struct shader_bytecode bytecode[STAGES]; // the shaders' own, with slots and components
     struct shader_slot *slots[STAGES];
     struct shader_stages stages;
+    struct shader_machine_block machine[STAGES]; // generated code, where there is some
     struct rhw_shader_layout *layout; // by set and binding, each once
     uint32_t layout_count;
     struct rhw_program program;
