@@ -317,7 +317,7 @@ static void print_head(const struct shader_sink *sink, const struct shader_progr
 
 void shader_print(const struct shader_sink *sink, const struct shader_program *program)
 {
-    struct shader_source_lines *const lines = shader_find_source_lines(program->module);
+    struct shader_source_lines *const lines = shader_find_source_lines(program->memory, program->module);
     int depth = 0;
     print_head(sink, program);
     for (uint32_t i = 0; i < program->code_count; i++) {

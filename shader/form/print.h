@@ -50,8 +50,9 @@ void shader_print_resource(const struct shader_sink *sink, const struct shader_p
 
 // print_source.c. Lines of the source, by the words of the module.
 struct shader_source_lines;
-// Find them. Return NULL if the module does not know any.
-struct shader_source_lines *shader_find_source_lines(const struct shader_module *module);
+// Find them, in the memory. Return NULL if the module does not know any.
+struct shader_source_lines *shader_find_source_lines(struct shader_memory *memory,
+                                                     const struct shader_module *module);
 // Print the line of the instruction at `word` if it is another than the last one.
 void shader_print_source_line(const struct shader_sink *sink, struct shader_source_lines *lines,
                               uint32_t word, int indent);

@@ -236,6 +236,16 @@ int32_t shader_mask_offset(const struct shader_generator *g);
 // Set the memory of the lanes of a group to 0.
 void shader_clear_own(struct shader_generator *g);
 
+struct shader_generated {
+    struct shader_encoder code;
+    size_t entry; // where the function begins
+};
+
+// Generate the code of a stage, by the first so many registers, at most 16. Return false where it needs more of the
+// stack than it may take.
+bool shader_generate(struct shader_memory *memory, const struct shader_machine_stage *stage,
+                     enum rhw_shader_stage kind, int registers, bool has_records, struct shader_generated *made);
+
 // A member of struct shader_machine_frame as an operand.
 #define SHADER_FRAME(member) x86_at(X86_RSP, (int32_t)offsetof(struct shader_machine_frame, member))
 

@@ -8,6 +8,7 @@
 #include "calls.h"
 #include "code_memory.h"
 #include "generator.h"
+#include "print_code.h"
 #include "rhw/isa.h"
 
 enum { FEWEST_REGISTERS = 6 };
@@ -55,11 +56,11 @@ bool shader_machine_make(const struct shader_machine_stage *stage, enum rhw_shad
     struct shader_memory memory;
     shader_memory_init(&memory, RHW_SHADER_MAX_MEMORY);
     if (setjmp(memory.end) == 0) {
-        struct shader_machine_code code;
-        if (shader_machine_generate(&memory, stage, kind, registers_to_use(), &code)) {
-            block->code = shader_code_map(code.bytes, code.size);
-            block->size = code.size;
-            block->entry = code.entry;
+        struct shader_generated made;
+        if (shader_generate(&memory, stage, kind, registers_to_use(), false, &made)) {
+            block->code = shader_code_map(made.code.bytes, made.code.size);
+            block->size = made.code.size;
+            block->entry = made.entry;
         }
     }
     shader_memory_free(&memory);
@@ -74,4 +75,15 @@ void shader_machine_free(struct shader_machine_block *block)
     if (block->code) {
         shader_code_unmap(block->code, block->size);
     }
+}
+
+bool shader_machine_print(const struct shader_sink *sink, struct shader_memory *memory,
+                          const struct shader_machine_stage *stage, enum rhw_shader_stage kind)
+{
+    struct shader_generated made;
+    if (!shader_generate(memory, stage, kind, registers_to_use(), true, &made)) {
+        return false;
+    }
+    shader_print_code(sink, stage->form, &made.code);
+    return true;
 }

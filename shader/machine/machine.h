@@ -4,6 +4,7 @@
 #define SHADER_MACHINE_H
 
 #include "form/form.h"
+#include "form/print.h"
 #include "rhw/spirv.h"
 
 // Where a resource of a stage lies: as many bindings of a set from place `first` on.
@@ -18,14 +19,8 @@ struct shader_machine_stage {
     const uint8_t *component_of;             // number among the varyings, by enum shader_input; 0xff: none
     const bool *is_linear;                   // by enum shader_input: it is flat or noperspective
     uint8_t w_component;                     // varying that holds W of the position; 0xff: none
-    uint32_t batch;                          // groups that go through the shader together where their order shows
+    uint32_t batch; // groups that go through the shader together where their order shows
     uint32_t target_count;
-};
-
-struct shader_machine_code {
-    const uint8_t *bytes; // in the memory
-    size_t size;
-    size_t entry; // where the function begins
 };
 
 // Code that may be executed.
@@ -40,9 +35,9 @@ bool shader_machine_make(const struct shader_machine_stage *stage, enum rhw_shad
                          struct shader_machine_block *block);
 void shader_machine_free(struct shader_machine_block *block);
 
-// Generate the code of a stage. Return false where it needs more of the stack than it may take. `registers` are those
-// that it may use, 16 or fewer, for tests.
-bool shader_machine_generate(struct shader_memory *memory, const struct shader_machine_stage *stage,
-                             enum rhw_shader_stage kind, int registers, struct shader_machine_code *code);
+// Print the code of a stage beside its form and its source. Return false where it needs more of the stack than it may
+// take.
+bool shader_machine_print(const struct shader_sink *sink, struct shader_memory *memory,
+                          const struct shader_machine_stage *stage, enum rhw_shader_stage kind);
 
 #endif

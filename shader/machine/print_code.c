@@ -209,7 +209,7 @@ static void print_record(const struct shader_sink *sink, const struct shader_enc
 void shader_print_code(const struct shader_sink *sink, const struct shader_program *program,
                        const struct shader_encoder *encoder)
 {
-    struct shader_source_lines *const lines = shader_find_source_lines(program->module);
+    struct shader_source_lines *const lines = shader_find_source_lines(encoder->memory, program->module);
     uint32_t mark = 0;
     shader_sink_print(sink, "; %u bytes of code, %u of constants\n", (unsigned)encoder->code_size,
                       (unsigned)(encoder->size - encoder->pool));

@@ -217,8 +217,8 @@ static void generate_entry(struct shader_generator *g, uint32_t body)
     shader_encode_jump(&g->code, body);
 }
 
-bool shader_machine_generate(struct shader_memory *memory, const struct shader_machine_stage *stage,
-                             enum rhw_shader_stage kind, int registers, struct shader_machine_code *code)
+bool shader_generate(struct shader_memory *memory, const struct shader_machine_stage *stage,
+                     enum rhw_shader_stage kind, int registers, bool has_records, struct shader_generated *made)
 {
     const uint32_t places = stage->form->code_count + 1;
     struct shader_generator g = {.memory = memory,
@@ -230,6 +230,7 @@ bool shader_machine_generate(struct shader_memory *memory, const struct shader_m
                                  .left = shader_take(memory, places, sizeof *g.left)};
     shader_make_plan(memory, stage->form, &g.plan);
     shader_encoder_init(&g.code, memory);
+    g.code.has_records = has_records;
     shader_registers_init(&g);
     (void)shader_take_frame(&g, sizeof(struct shader_machine_frame));
     const uint32_t body = shader_label_new(&g.code);
@@ -239,10 +240,9 @@ bool shader_machine_generate(struct shader_memory *memory, const struct shader_m
     if (g.frame_size + (uint64_t)stage->batch * g.record_size > MAX_STACK) {
         return false;
     }
-    code->entry = g.code.size;
+    made->entry = g.code.size;
     generate_entry(&g, body);
     (void)shader_encoder_finish(&g.code);
-    code->bytes = g.code.bytes;
-    code->size = g.code.size;
+    made->code = g.code;
     return true;
 }

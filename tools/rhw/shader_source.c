@@ -123,7 +123,7 @@ static bool compile(struct cli_shader_file *file, const char *text, size_t size,
         .include = glsl_include_file,
         .user = &folders,
         .is_relaxed = job->runs || job->is_relaxed,
-        .has_lines = job->print == CLI_SHADER_FORM || job->print == CLI_SHADER_BYTECODE,
+        .has_lines = job->print >= CLI_SHADER_FORM,
     };
     const bool compiled =
         glsl_compile(file->stage, text, size, file->path, &options, &code, message, sizeof message);
