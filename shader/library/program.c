@@ -171,6 +171,9 @@ static bool has_work(const struct shader_interface *fragment)
 // Generate the code of a stage. Return the function, or NULL where the interpreter has to do.
 static shader_function *generate(rhw_shader_program *program, enum rhw_shader_stage kind)
 {
+    if (program->is_interpreted) {
+        return NULL;
+    }
     const struct shader_bytecode *const bytecode = &program->bytecode[kind];
     const struct shader_program *const form = program->shaders[kind]->form;
     struct shader_machine_slot *const slots = calloc(form->resource_count + 1, sizeof *slots);
@@ -252,6 +255,7 @@ static void link_compute(rhw_shader_program *program)
 static bool link_program(rhw_shader_program *program, const struct rhw_shader_program_def *def, char *message)
 {
     const rhw_shader *const given[STAGES] = {def->vertex, def->fragment, def->compute};
+    program->is_interpreted = def->is_interpreted;
     for (int s = 0; s < STAGES; s++) {
         if (given[s]) {
             shader_hold(given[s]);
@@ -315,6 +319,11 @@ void rhw_shader_program_destroy(rhw_shader_program *program)
         free(program->layout);
     }
     free(program);
+}
+
+bool rhw_shader_program_is_generated(const rhw_shader_program *program, enum rhw_shader_stage stage)
+{
+    return program->machine[stage].code != NULL;
 }
 
 const struct rhw_program *rhw_shader_program_get(const rhw_shader_program *program)
