@@ -178,6 +178,9 @@ struct rhw_shader_program_def {
     /// where a binding that both name has the larger count.
     const struct rhw_shader_layout *layout;
     uint32_t layout_count;
+    /// False: machine code is generated of each stage where processor, system and shader allow it and the environment
+    /// does not say RHW_JIT=0. True: the interpreter executes the program. Both give the same bytes.
+    bool is_interpreted;
 };
 
 /// Shaders that fit together.
@@ -195,6 +198,10 @@ RHW_API void rhw_shader_program_destroy(rhw_shader_program *program);
 RHW_API const struct rhw_program *rhw_shader_program_get(const rhw_shader_program *program);
 /// Return what rhw_dispatch_def.program takes. The uniforms of the dispatch are a struct rhw_shader_frame.
 RHW_API const struct rhw_compute_program *rhw_shader_program_get_compute(const rhw_shader_program *program);
+
+/// Return true if contexts whose instruction set is AVX2 or better run a stage of the program as generated machine
+/// code, and false if the interpreter executes it everywhere.
+RHW_API bool rhw_shader_program_is_generated(const rhw_shader_program *program, enum rhw_shader_stage stage);
 
 /// Return the place of a binding in the array of its set: that of the first element. −1: the set does not have it.
 RHW_API int rhw_shader_program_find(const rhw_shader_program *program, uint32_t set, uint32_t binding);

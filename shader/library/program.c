@@ -171,6 +171,9 @@ static bool has_work(const struct shader_interface *fragment)
 struct shader_machine_stage shader_describe_stage(const rhw_shader_program *program, enum rhw_shader_stage kind,
                                                   struct shader_machine_slot *slots)
 {
+    if (program->is_interpreted) {
+        return NULL;
+    }
     const struct shader_bytecode *const bytecode = &program->bytecode[kind];
     const struct shader_program *const form = program->shaders[kind]->form;
     for (uint32_t r = 0; r < form->resource_count; r++) {
@@ -262,6 +265,7 @@ static void link_compute(rhw_shader_program *program)
 static bool link_program(rhw_shader_program *program, const struct rhw_shader_program_def *def, char *message)
 {
     const rhw_shader *const given[STAGES] = {def->vertex, def->fragment, def->compute};
+    program->is_interpreted = def->is_interpreted;
     for (int s = 0; s < STAGES; s++) {
         if (given[s]) {
             shader_hold(given[s]);
@@ -325,6 +329,11 @@ void rhw_shader_program_destroy(rhw_shader_program *program)
         free(program->layout);
     }
     free(program);
+}
+
+bool rhw_shader_program_is_generated(const rhw_shader_program *program, enum rhw_shader_stage stage)
+{
+    return program->machine[stage].code != NULL;
 }
 
 const struct rhw_program *rhw_shader_program_get(const rhw_shader_program *program)

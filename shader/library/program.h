@@ -16,6 +16,7 @@ struct rhw_shader_program {
     struct shader_machine_block machine[STAGES]; // generated code, where there is some
     struct rhw_shader_layout *layout; // by set and binding, each once
     uint32_t layout_count;
+    bool is_interpreted;
     struct rhw_program program;
     struct rhw_compute_program compute;
 };
