@@ -168,12 +168,10 @@ static bool has_work(const struct shader_interface *fragment)
     return has;
 }
 
-struct shader_machine_stage shader_describe_stage(const rhw_shader_program *program, enum rhw_shader_stage kind,
+struct shader_machine_stage shader_describe_stage(const rhw_shader_program *program,
+                                                  enum rhw_shader_stage kind,
                                                   struct shader_machine_slot *slots)
 {
-    if (program->is_interpreted) {
-        return NULL;
-    }
     const struct shader_bytecode *const bytecode = &program->bytecode[kind];
     const struct shader_program *const form = program->shaders[kind]->form;
     for (uint32_t r = 0; r < form->resource_count; r++) {
@@ -193,7 +191,8 @@ struct shader_machine_stage shader_describe_stage(const rhw_shader_program *prog
 static shader_function *generate(rhw_shader_program *program, enum rhw_shader_stage kind)
 {
     const uint32_t count = program->shaders[kind]->form->resource_count;
-    struct shader_machine_slot *const slots = calloc(count + 1, sizeof *slots);
+    struct shader_machine_slot *const slots =
+        program->is_interpreted ? NULL : calloc(count + 1, sizeof *slots);
     if (!slots) {
         return NULL;
     }
