@@ -25,7 +25,7 @@ static bool write_shader(const char *folder, enum bench_shader shader, bool *is_
 {
     char message[RHW_SHADER_MESSAGE], name[32], file[32];
     char *text = NULL;
-    rhw_shader_program *const program = bench_link_shader(shader, message);
+    rhw_shader_program *const program = bench_link_shader(shader, true, message);
     snprintf(name, sizeof name, "bench_emitted_%d", (int)shader);
     snprintf(file, sizeof file, "%d.c", (int)shader);
     const struct rhw_shader_c_def def = {.name = name};

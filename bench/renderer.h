@@ -43,7 +43,7 @@ struct bench_renderer {
 // `threads` as in rhw_context_def, `isa` the highest to use; RHW_ISA_COUNT: that of RHW_ISA_BEST.
 bool bench_open_rhw(struct bench_renderer *renderer, int threads, enum rhw_isa isa, const char **why);
 // rhw, with shaders that are translated from the GLSL texts which a peer gets.
-enum bench_translation { BENCH_INTERPRETER, BENCH_EMITTED };
+enum bench_translation { BENCH_INTERPRETER, BENCH_MACHINE, BENCH_EMITTED };
 bool bench_open_translated(struct bench_renderer *renderer, enum bench_translation translation, int threads,
                            enum rhw_isa isa, const char **why);
 // A Mesa driver by its name, "llvmpipe" or "softpipe". One at a time.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // rhw under measurement, with shaders that are translated from GLSL in place of those in C: the renderer of
-// renderer_rhw.c with other programs. The interpreter's are made the first time a scene asks for them; emitted C is a
+// renderer_rhw.c with other programs. Those of the interpreter and of machine code are made the first time a scene asks for them; emitted C is a
 // part of this program.
 #include "renderer.h"
 
@@ -15,18 +15,19 @@
 
 struct programs {
     rhw_shader_program *made[BENCH_SHADERS];
+    bool are_interpreted;
     struct bench_renderer *renderer;
     void (*close)(struct bench_renderer *renderer);
 };
 
-static const struct rhw_program *interpreted(void *user, enum bench_shader shader)
+static const struct rhw_program *linked(void *user, enum bench_shader shader)
 {
     struct programs *const programs = user;
     struct bench_renderer *const renderer = programs->renderer;
     char message[RHW_SHADER_MESSAGE] = "";
     const double start = bench_now_ms();
     if (!programs->made[shader]) {
-        programs->made[shader] = bench_link_shader(shader, message);
+        programs->made[shader] = bench_link_shader(shader, programs->are_interpreted, message);
         renderer->shaders_ms += bench_now_ms() - start;
     }
     if (!programs->made[shader]) {
@@ -62,7 +63,7 @@ static const char *find_lack(enum bench_translation translation)
 {
     struct bench_words vertex, fragment;
     bench_shader_words(BENCH_SHADER_FLAT, &vertex, &fragment);
-    if (translation == BENCH_INTERPRETER) {
+    if (translation != BENCH_EMITTED) {
         return vertex.size == 0 ? "this program was built without glslangValidator" : NULL;
     }
     return bench_emitted_program(BENCH_SHADER_FLAT) ? NULL
@@ -83,12 +84,13 @@ bool bench_open_translated(struct bench_renderer *renderer, enum bench_translati
         return false;
     }
     struct bench_state *const state = renderer->state;
-    *programs = (struct programs){.renderer = renderer, .close = renderer->close};
-    state->translated = translation == BENCH_INTERPRETER ? interpreted : emitted;
+    *programs = (struct programs){
+        .are_interpreted = translation == BENCH_INTERPRETER, .renderer = renderer, .close = renderer->close};
+    state->translated = translation == BENCH_EMITTED ? emitted : linked;
     state->programs = programs;
     renderer->close = close_translated;
-    snprintf(renderer->name, sizeof renderer->name, "%s of rhw %s, %d thread%s",
-             translation == BENCH_INTERPRETER ? "interpreter" : "emitted C", rhw_version(), renderer->threads,
-             renderer->threads == 1 ? "" : "s");
+    static const char *const names[] = {"interpreter", "machine code", "emitted C"};
+    snprintf(renderer->name, sizeof renderer->name, "%s of rhw %s, %d thread%s", names[translation],
+             rhw_version(), renderer->threads, renderer->threads == 1 ? "" : "s");
     return true;
 }

@@ -21,7 +21,7 @@ bool bench_make_translation(const struct bench_scene_entry *entry, struct bench_
 bool bench_translate(rhw_context *context)
 {
     char message[RHW_SHADER_MESSAGE];
-    rhw_shader_program *const program = bench_link_shader(BENCH_SHADER_LIGHTS, message);
+    rhw_shader_program *const program = bench_link_shader(BENCH_SHADER_LIGHTS, false, message);
     if (!program) {
         return false;
     }

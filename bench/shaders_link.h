@@ -8,6 +8,6 @@
 
 // Translate and link a shader. Return NULL, with a message of RHW_SHADER_MESSAGE bytes, where that cannot be done. All
 // programs have the same sets, so that draws of any shader fill them alike: two blocks of uniforms, and textures.
-rhw_shader_program *bench_link_shader(enum bench_shader shader, char *message);
+rhw_shader_program *bench_link_shader(enum bench_shader shader, bool is_interpreted, char *message);
 
 #endif

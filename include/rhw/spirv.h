@@ -216,6 +216,9 @@ struct rhw_shader_program_def {
     /// A cache gives the program again that it has of the same shaders, which come from it as well, and of an equal
     /// layout. NULL: a new one.
     rhw_shader_cache *cache;
+    /// False: machine code is generated of each stage where processor, system and shader allow it and the environment
+    /// does not say RHW_JIT=0. True: the interpreter executes the program. Both give the same bytes.
+    bool is_interpreted;
 };
 
 /// Shaders that fit together.
@@ -235,6 +238,10 @@ RHW_API const struct rhw_program *rhw_shader_program_get(const rhw_shader_progra
 /// Return what rhw_dispatch_def.program takes. The uniforms of the dispatch are a struct rhw_shader_frame.
 RHW_API const struct rhw_compute_program *rhw_shader_program_get_compute(const rhw_shader_program *program);
 
+/// Return true if contexts whose instruction set is AVX2 or better run a stage of the program as generated machine
+/// code, and false if the interpreter executes it everywhere.
+RHW_API bool rhw_shader_program_is_generated(const rhw_shader_program *program, enum rhw_shader_stage stage);
+
 /// Return the place of a binding in the array of its set: that of the first element. −1: the set does not have it.
 RHW_API int rhw_shader_program_find(const rhw_shader_program *program, uint32_t set, uint32_t binding);
 /// Return how many elements the array of a set has.
@@ -247,6 +254,15 @@ struct rhw_shader_c_def {
     const char *name;   ///< begins the names of all that it defines; an identifier of C
     const char *source; ///< what it was made of, for the comment at its top; NULL says nothing
 };
+
+/// Give the machine code of a stage of a program to `write` as a text for people, piece by piece: instructions of
+/// x86-64 with AVX2, beside what they are made of and lines of the source, if the module was compiled with them. The
+/// first line says if the interpreter executes the stage here instead. The text has no format that programs could rely
+/// on. Results and `message` are those of rhw_shader_create; a stage that the program does not have is
+/// RHW_ERROR_MISUSE.
+RHW_API enum rhw_result rhw_shader_program_print_code(
+    const rhw_shader_program *program, enum rhw_shader_stage stage,
+    void (*write)(void *user, const char *text, size_t size), void *user, char *message);
 
 /// Write a program as C for rhw_add_shaders, which compiles it once per instruction set. It draws the same bytes as the
 /// interpreter, and needs librhw alone. The file defines

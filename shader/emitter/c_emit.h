@@ -3,8 +3,9 @@
 #ifndef SHADER_C_EMIT_H
 #define SHADER_C_EMIT_H
 
-#include "c_plan.h"
+#include "form/plan.h"
 #include "c_text.h"
+#include "emitter.h"
 
 struct shader_c_pair {
     uint32_t texture, sampler; // BUFFER nodes
@@ -16,7 +17,7 @@ struct shader_emitter {
     const struct shader_c_stage *stage;
     enum rhw_shader_stage kind;
     const struct shader_program *form;
-    struct shader_c_plan plan;
+    struct shader_plan plan;
     struct shader_text arrays; // declarations of what has an element for each group
     struct shader_text once;   // what is computed once a call
     struct shader_text body;   // what is computed for each group

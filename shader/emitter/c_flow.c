@@ -86,8 +86,8 @@ static void write_leave(struct shader_emitter *emitter, uint32_t place)
 {
     const struct shader_node *const node = &emitter->form->nodes[emitter->form->code[place]];
     const bool discards = node->op == SHADER_DISCARD;
-    const uint32_t target = discards ? SHADER_C_NONE : emitter->plan.place[node->operands[0]];
-    const struct shader_c_structure *const structure = discards ? NULL : &emitter->plan.structures[target];
+    const uint32_t target = discards ? SHADER_NONE : emitter->plan.place[node->operands[0]];
+    const struct shader_structure *const structure = discards ? NULL : &emitter->plan.structures[target];
     emitter->is_dead = true;
     if (structure && structure->is_uniform) {
         jump_to_end(emitter, target);
@@ -104,16 +104,16 @@ static void write_branch(struct shader_emitter *emitter, uint32_t begin, uint32_
 {
     emitter->mask = mask;
     emitter->is_dead = false;
-    write_narrow(emitter, begin, end, SHADER_C_NONE);
+    write_narrow(emitter, begin, end, SHADER_NONE);
     emitter->is_dead = false;
 }
 
 static void write_if(struct shader_emitter *emitter, uint32_t place)
 {
-    const struct shader_c_structure *const structure = &emitter->plan.structures[place];
+    const struct shader_structure *const structure = &emitter->plan.structures[place];
     const uint32_t condition = emitter->form->nodes[emitter->form->code[place]].operands[0];
     const uint32_t before = emitter->mask;
-    const bool has_else = structure->otherwise != SHADER_C_NONE;
+    const bool has_else = structure->otherwise != SHADER_NONE;
     const uint32_t middle = has_else ? structure->otherwise : structure->end;
     const char *const truth = shader_c_operand(emitter, condition, false);
     uint32_t bits, inside = before;
@@ -149,7 +149,7 @@ static void write_if(struct shader_emitter *emitter, uint32_t place)
 // Lanes that leave structure come back at its end. Where none is lost further out, all that were alive are again.
 static void begin_leaving(struct shader_emitter *emitter, uint32_t place)
 {
-    const struct shader_c_structure *const structure = &emitter->plan.structures[place];
+    const struct shader_structure *const structure = &emitter->plan.structures[place];
     if (!structure->is_uniform && structure->loses) {
         shader_text_line(emitter->out, "rhw_int left%u = rhw_splat_int(0);", (unsigned)place);
     } else if (!structure->is_uniform) {
@@ -160,7 +160,7 @@ static void begin_leaving(struct shader_emitter *emitter, uint32_t place)
 
 static void end_leaving(struct shader_emitter *emitter, uint32_t place, uint32_t before)
 {
-    const struct shader_c_structure *const structure = &emitter->plan.structures[place];
+    const struct shader_structure *const structure = &emitter->plan.structures[place];
     emitter->divergence -= structure->is_uniform ? 0 : 1;
     if (!structure->is_uniform) {
         shader_text_line(emitter->out, structure->loses ? "alive |= left%u;" : "alive = alive%u;",
@@ -200,7 +200,7 @@ static void write_giving_up(struct shader_emitter *emitter)
 // A round begins with the lanes that came to the end of the one before.
 static void write_loop(struct shader_emitter *emitter, uint32_t place)
 {
-    const struct shader_c_structure *const structure = &emitter->plan.structures[place];
+    const struct shader_structure *const structure = &emitter->plan.structures[place];
     const uint32_t before = emitter->mask, round = shader_c_new_mask(emitter);
     begin_leaving(emitter, place);
     shader_text_line(emitter->out, "rhw_int m%u = m%u;", (unsigned)round, (unsigned)before);
@@ -256,10 +256,10 @@ static void write_node(struct shader_emitter *emitter, uint32_t place)
 // Where lanes were lost and none is left, go to the end of what is around, if that is worth it.
 static void skip_rest(struct shader_emitter *emitter, uint32_t places, uint32_t parent)
 {
-    const bool is_outermost = parent == SHADER_C_NONE && emitter->divergence == 0 &&
+    const bool is_outermost = parent == SHADER_NONE && emitter->divergence == 0 &&
                               emitter->kind == RHW_SHADER_FRAGMENT && !emitter->plan.has_cuts &&
                               emitter->loop_depth == 0;
-    if (places < WORTH_A_JUMP || (parent == SHADER_C_NONE && !is_outermost)) {
+    if (places < WORTH_A_JUMP || (parent == SHADER_NONE && !is_outermost)) {
         return;
     }
     shader_text_line(emitter->out, "if (!rhw_any(m%u)) {", (unsigned)emitter->mask);
@@ -324,7 +324,7 @@ static void declare_mask(struct shader_emitter *emitter, uint32_t mask)
 // Homes of a run begin with it.
 static void begin_homes(struct shader_emitter *emitter)
 {
-    const struct shader_c_plan *const plan = &emitter->plan;
+    const struct shader_plan *const plan = &emitter->plan;
     for (uint32_t home = plan->first_home[emitter->run]; home != 0; home = plan->next_home[home - 1]) {
         const bool is_float = plan->is_float[home - 1];
         shader_text_line(emitter->out, "%s h%u = %s;", is_float ? "rhw_float" : "rhw_int", (unsigned)home - 1,
@@ -399,10 +399,10 @@ static void write_wide_branch(struct shader_emitter *emitter, uint32_t begin, ui
 
 static void write_wide_if(struct shader_emitter *emitter, uint32_t place)
 {
-    const struct shader_c_structure *const structure = &emitter->plan.structures[place];
+    const struct shader_structure *const structure = &emitter->plan.structures[place];
     const uint32_t condition = emitter->form->nodes[emitter->form->code[place]].operands[0];
     const uint32_t before = emitter->mask;
-    const bool has_else = structure->otherwise != SHADER_C_NONE;
+    const bool has_else = structure->otherwise != SHADER_NONE;
     const uint32_t middle = has_else ? structure->otherwise : structure->end;
     const unsigned number = place;
     emitter->group = structure->is_uniform ? "0" : "g";
@@ -448,7 +448,7 @@ static void write_wide_if(struct shader_emitter *emitter, uint32_t place)
 static void write_wide_region(struct shader_emitter *emitter, uint32_t place)
 {
     struct shader_memory *const memory = emitter->memory;
-    const struct shader_c_structure *const structure = &emitter->plan.structures[place];
+    const struct shader_structure *const structure = &emitter->plan.structures[place];
     const bool is_loop = op_at(emitter, place) == SHADER_LOOP;
     const unsigned number = place;
     const uint32_t before = emitter->mask, round = shader_c_new_mask(emitter);
@@ -508,7 +508,7 @@ static void write_wide(struct shader_emitter *emitter, uint32_t begin, uint32_t 
     uint32_t i = begin;
     while (i < end && !emitter->is_dead) {
         const enum shader_op op = op_at(emitter, i);
-        if (shader_c_is_cut(&emitter->plan, i)) {
+        if (shader_is_cut(&emitter->plan, i)) {
             close_run(emitter);
             if (op == SHADER_BARRIER) {
                 shader_text_line(emitter->out, "// A barrier: every invocation has come here.");
@@ -518,7 +518,7 @@ static void write_wide(struct shader_emitter *emitter, uint32_t begin, uint32_t 
                 close_run(emitter);
             }
             i++;
-        } else if (shader_c_is_wide(&emitter->plan, i)) {
+        } else if (shader_is_wide(&emitter->plan, i)) {
             close_run(emitter);
             if (op == SHADER_LEAVE) {
                 write_wide_leave(emitter, i++);

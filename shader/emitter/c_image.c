@@ -12,7 +12,7 @@ static uint32_t sampler_of(const struct shader_emitter *emitter, const struct re
 {
     return request->flags & SHADER_IMAGE_HAS_SAMPLER
                ? shader_c_resource(emitter, request->operands[SHADER_IMAGE_SAMPLER])
-               : SHADER_C_NONE;
+               : SHADER_NONE;
 }
 
 static const char *list_of(struct shader_emitter *emitter, const uint32_t *values, uint32_t count,
@@ -168,7 +168,7 @@ static void write_sample(struct shader_emitter *emitter, uint32_t value)
     const uint32_t texture = shader_c_resource(emitter, request.operands[SHADER_IMAGE_TEXTURE]);
     const uint32_t sampler = sampler_of(emitter, &request);
     const bool is_one = shader_c_is_one_binding(emitter, texture) &&
-                        (sampler == SHADER_C_NONE || shader_c_is_one_binding(emitter, sampler));
+                        (sampler == SHADER_NONE || shader_c_is_one_binding(emitter, sampler));
     const char *const texels = shader_format(emitter->memory, "texel%u", (unsigned)value);
     const char *lanes;
     write_request(emitter, &request);

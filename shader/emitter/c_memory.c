@@ -284,7 +284,7 @@ const char *shader_c_begin_bindings(struct shader_emitter *emitter, uint32_t tex
                                     const char **lanes)
 {
     struct shader_memory *const memory = emitter->memory;
-    const bool has_sampler = sampler != SHADER_C_NONE;
+    const bool has_sampler = sampler != SHADER_NONE;
     if (shader_c_is_one_binding(emitter, texture) &&
         (!has_sampler || shader_c_is_one_binding(emitter, sampler))) {
         *lanes = shader_format(memory, "m%u", (unsigned)emitter->mask);
@@ -315,7 +315,7 @@ const char *shader_c_begin_bindings(struct shader_emitter *emitter, uint32_t tex
 void shader_c_end_bindings(struct shader_emitter *emitter, uint32_t texture, uint32_t sampler)
 {
     if (!shader_c_is_one_binding(emitter, texture) ||
-        (sampler != SHADER_C_NONE && !shader_c_is_one_binding(emitter, sampler))) {
+        (sampler != SHADER_NONE && !shader_c_is_one_binding(emitter, sampler))) {
         shader_text_line(emitter->out, "}");
     }
 }
@@ -421,10 +421,10 @@ static void write_load(struct shader_emitter *emitter, uint32_t value)
     } else {
         const char *lanes;
         shader_text_line(emitter->out, "rhw_int %s = rhw_splat_int(0);", name);
-        const char *const binding = shader_c_begin_bindings(emitter, buffer, SHADER_C_NONE, &lanes);
+        const char *const binding = shader_c_begin_bindings(emitter, buffer, SHADER_NONE, &lanes);
         shader_text_line(emitter->out, "%s |= rhw_spirv_load(rhw_spirv_words_of(%s), %s, %s);", name, binding,
                          index, lanes);
-        shader_c_end_bindings(emitter, buffer, SHADER_C_NONE);
+        shader_c_end_bindings(emitter, buffer, SHADER_NONE);
         text = name;
     }
     shader_c_define(emitter, value, is_float ? shader_format(memory, "rhw_float_from_bits(%s)", text) : text,
@@ -438,10 +438,10 @@ static void write_store_part(struct shader_emitter *emitter, const struct shader
     const char *const offset = shader_c_argument(emitter, node->operands[1], false);
     const char *const value = shader_c_argument(emitter, node->operands[2], false);
     const char *lanes;
-    const char *const binding = shader_c_begin_bindings(emitter, buffer, SHADER_C_NONE, &lanes);
+    const char *const binding = shader_c_begin_bindings(emitter, buffer, SHADER_NONE, &lanes);
     shader_text_line(emitter->out, "rhw_spirv_store_part(%s, %s, %u, %s, %d, %s);", binding, offset,
                      (unsigned)node->immediate, value, node->op == SHADER_STORE8 ? 8 : 16, lanes);
-    shader_c_end_bindings(emitter, buffer, SHADER_C_NONE);
+    shader_c_end_bindings(emitter, buffer, SHADER_NONE);
 }
 
 static void write_store(struct shader_emitter *emitter, const struct shader_node *node)
@@ -459,10 +459,10 @@ static void write_store(struct shader_emitter *emitter, const struct shader_node
                          (unsigned)emitter->form->workgroup_size, index, value, (unsigned)emitter->mask);
         return;
     }
-    const char *const binding = shader_c_begin_bindings(emitter, buffer, SHADER_C_NONE, &lanes);
+    const char *const binding = shader_c_begin_bindings(emitter, buffer, SHADER_NONE, &lanes);
     shader_text_line(emitter->out, "rhw_binding_storage_store(%s, %s, %s, %s);", binding, index, value,
                      lanes);
-    shader_c_end_bindings(emitter, buffer, SHADER_C_NONE);
+    shader_c_end_bindings(emitter, buffer, SHADER_NONE);
 }
 
 static void write_length(struct shader_emitter *emitter, uint32_t value)
@@ -477,10 +477,10 @@ static void write_length(struct shader_emitter *emitter, uint32_t value)
     const char *const name = shader_format(emitter->memory, "bytes%u", (unsigned)value);
     const char *lanes;
     shader_text_line(emitter->out, "rhw_int %s = rhw_splat_int(0);", name);
-    const char *const binding = shader_c_begin_bindings(emitter, buffer, SHADER_C_NONE, &lanes);
+    const char *const binding = shader_c_begin_bindings(emitter, buffer, SHADER_NONE, &lanes);
     shader_text_line(emitter->out, "%s |= rhw_splat_int(rhw_spirv_bytes(rhw_spirv_words_of(%s))) & %s;", name,
                      binding, lanes);
-    shader_c_end_bindings(emitter, buffer, SHADER_C_NONE);
+    shader_c_end_bindings(emitter, buffer, SHADER_NONE);
     shader_c_define(emitter, value, name, "");
 }
 
@@ -521,12 +521,12 @@ static void write_atomic(struct shader_emitter *emitter, uint32_t value)
         index = index_text(emitter, operands[SHADER_ATOMIC_OFFSET], 0, false);
     }
     shader_text_line(emitter->out, "rhw_int %s = rhw_splat_int(0);", name);
-    const char *const binding = shader_c_begin_bindings(emitter, buffer, SHADER_C_NONE, &lanes);
+    const char *const binding = shader_c_begin_bindings(emitter, buffer, SHADER_NONE, &lanes);
     shader_text_line(emitter->out, "%s |= %s(%s, RHW_STORAGE_%s, %s, %s, %s, %s);", name,
                      is_image ? "rhw_spirv_image_atomic" : "rhw_spirv_atomic", binding,
                      atomic_names[node->immediate], index, shader_c_argument(emitter, number, false),
                      shader_c_argument(emitter, comparand, false), lanes);
-    shader_c_end_bindings(emitter, buffer, SHADER_C_NONE);
+    shader_c_end_bindings(emitter, buffer, SHADER_NONE);
     if (emitter->plan.uses[value] > 0) {
         shader_c_define(emitter, value, name, "");
     }

@@ -140,7 +140,7 @@ const char *shader_c_number(struct shader_emitter *emitter, uint32_t bits, bool 
 
 const char *shader_c_name(struct shader_emitter *emitter, uint32_t value)
 {
-    const struct shader_c_plan *const plan = &emitter->plan;
+    const struct shader_plan *const plan = &emitter->plan;
     const char letter = emitter->form->nodes[value].op == SHADER_HOME ? 'h'
                         : plan->is_hoisted[value]                     ? 'u'
                                                                       : 'v';
@@ -244,7 +244,7 @@ static const char *expression_of(struct shader_emitter *emitter, uint32_t value)
 void shader_c_define(struct shader_emitter *emitter, uint32_t value, const char *expression,
                      const char *comment)
 {
-    const struct shader_c_plan *const plan = &emitter->plan;
+    const struct shader_plan *const plan = &emitter->plan;
     const char *const type = plan->is_float[value] ? "rhw_float" : "rhw_int";
     const char *const space = comment[0] ? " // " : "";
     if (plan->is_kept[value]) {
@@ -259,7 +259,7 @@ void shader_c_define(struct shader_emitter *emitter, uint32_t value, const char 
 // A value may stand where it is read if nothing that it reads can have changed by then.
 static bool may_stand_elsewhere(const struct shader_emitter *emitter, uint32_t place, const char *expression)
 {
-    const struct shader_c_plan *const plan = &emitter->plan;
+    const struct shader_plan *const plan = &emitter->plan;
     const uint32_t value = emitter->form->code[place];
     const uint32_t reader = plan->last_use[value];
     const struct shader_node *const node = &emitter->form->nodes[value];

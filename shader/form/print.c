@@ -293,6 +293,17 @@ static void print_operation(const struct printer *printer, uint32_t value)
     }
 }
 
+void shader_print_node(const struct shader_sink *sink, const struct shader_program *program, uint32_t value)
+{
+    const struct printer printer = {.sink = sink, .program = program};
+    const enum shader_op op = (enum shader_op)program->nodes[value].op;
+    if (shader_op_has_result(op) || op == SHADER_REGION || op == SHADER_LOOP) {
+        print_result(&printer, value);
+        shader_sink_print(sink, " = ");
+    }
+    print_operation(&printer, value);
+}
+
 static void print_head(const struct shader_sink *sink, const struct shader_program *program)
 {
     const struct shader_entry_point *const entry = program->entry;
@@ -305,8 +316,7 @@ static void print_head(const struct shader_sink *sink, const struct shader_progr
 
 void shader_print(const struct shader_sink *sink, const struct shader_program *program)
 {
-    const struct printer printer = {.sink = sink, .program = program};
-    struct shader_source_lines *const lines = shader_find_source_lines(program->module);
+    struct shader_source_lines *const lines = shader_find_source_lines(program->memory, program->module);
     int depth = 0;
     print_head(sink, program);
     for (uint32_t i = 0; i < program->code_count; i++) {
@@ -320,11 +330,7 @@ void shader_print(const struct shader_sink *sink, const struct shader_program *p
             shader_print_source_line(sink, lines, program->origins[value], 4 * depth);
         }
         shader_sink_print(sink, "%*s", 4 * depth, "");
-        if (shader_op_has_result(op) || op == SHADER_REGION || op == SHADER_LOOP) {
-            print_result(&printer, value);
-            shader_sink_print(sink, " = ");
-        }
-        print_operation(&printer, value);
+        shader_print_node(sink, program, value);
         shader_sink_print(sink, "\n");
         depth += opens ? 1 : 0;
     }

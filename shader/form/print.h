@@ -21,6 +21,9 @@ void shader_sink_print(const struct shader_sink *sink, const char *format, ...)
 // source stand before what became of them, if the module knows them.
 void shader_print(const struct shader_sink *sink, const struct shader_program *program);
 
+// Print a node of the code as it stands in its line.
+void shader_print_node(const struct shader_sink *sink, const struct shader_program *program, uint32_t value);
+
 // Print the bits of a constant: as a float, as a whole number, or as what they seem to be.
 enum shader_number_style { SHADER_NUMBER_FLOAT, SHADER_NUMBER_INT, SHADER_NUMBER_EITHER };
 void shader_print_number(const struct shader_sink *sink, uint32_t bits, enum shader_number_style style);
@@ -49,8 +52,9 @@ void shader_print_resource(const struct shader_sink *sink, const struct shader_p
 
 // print_source.c. Lines of the source, by the words of the module.
 struct shader_source_lines;
-// Find them. Return NULL if the module does not know any.
-struct shader_source_lines *shader_find_source_lines(const struct shader_module *module);
+// Find them, in the memory. Return NULL if the module does not know any.
+struct shader_source_lines *shader_find_source_lines(struct shader_memory *memory,
+                                                     const struct shader_module *module);
 // Print the line of the instruction at `word` if it is another than the last one.
 void shader_print_source_line(const struct shader_sink *sink, struct shader_source_lines *lines,
                               uint32_t word, int indent);

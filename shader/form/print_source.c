@@ -75,11 +75,12 @@ static void split(struct shader_memory *memory, struct source_text *text)
 }
 
 // Return the string from `from` on, with what instructions OpSourceContinued behind it add.
-static char *join(const struct shader_module *module, uint32_t word, uint32_t from)
+static char *join(struct shader_memory *memory, const struct shader_module *module, uint32_t word,
+                  uint32_t from)
 {
     size_t size = 1;
     for (int pass = 0;; pass++) {
-        char *const bytes = pass == 0 ? NULL : shader_take(module->memory, size, 1);
+        char *const bytes = pass == 0 ? NULL : shader_take(memory, size, 1);
         size_t length = 0;
         uint32_t at = word, first = from;
         do {
@@ -101,7 +102,7 @@ static char *join(const struct shader_module *module, uint32_t word, uint32_t fr
     }
 }
 
-static void find_texts(struct shader_source_lines *lines)
+static void find_texts(struct shader_memory *memory, struct shader_source_lines *lines)
 {
     const struct shader_module *const module = lines->module;
     uint32_t count;
@@ -111,15 +112,16 @@ static void find_texts(struct shader_source_lines *lines)
         if (opcode == SPIRV_OP_Source && count > 4) {
             struct source_text *const text = &lines->texts[lines->text_count++];
             text->file = module->words[word + 3];
-            text->bytes = skip_preface(join(module, word, word + 4));
-            split(module->memory, text);
+            text->bytes = skip_preface(join(memory, module, word, word + 4));
+            split(memory, text);
         } else if (opcode == SPIRV_OP_Function) {
             return;
         }
     }
 }
 
-struct shader_source_lines *shader_find_source_lines(const struct shader_module *module)
+struct shader_source_lines *shader_find_source_lines(struct shader_memory *memory,
+                                                     const struct shader_module *module)
 {
     uint32_t marks = 0, texts = 0, count;
     bool has_lines = false;
@@ -133,12 +135,12 @@ struct shader_source_lines *shader_find_source_lines(const struct shader_module 
     if (!has_lines) {
         return NULL;
     }
-    struct shader_source_lines *const lines = shader_take(module->memory, 1, sizeof *lines);
+    struct shader_source_lines *const lines = shader_take(memory, 1, sizeof *lines);
     lines->module = module;
-    lines->marks = shader_take(module->memory, marks, sizeof *lines->marks);
-    lines->texts = shader_take(module->memory, texts, sizeof *lines->texts);
+    lines->marks = shader_take(memory, marks, sizeof *lines->marks);
+    lines->texts = shader_take(memory, texts, sizeof *lines->texts);
     find_marks(lines);
-    find_texts(lines);
+    find_texts(memory, lines);
     return lines;
 }
 

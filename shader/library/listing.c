@@ -4,7 +4,7 @@
 #include "form/print.h"
 #include "interpreter/assemble.h"
 #include "interpreter/print_bytecode.h"
-#include "shader.h"
+#include "program.h"
 
 static void print(struct shader_memory *memory, const struct shader_sink *sink, const void *words,
                   size_t size, const struct rhw_shader_def *def, enum rhw_shader_stop stop)
@@ -18,6 +18,18 @@ static void print(struct shader_memory *memory, const struct shader_sink *sink, 
     } else {
         shader_print(sink, form);
     }
+}
+
+// Tell why printing ended, and give the memory back.
+static enum rhw_result end(struct shader_memory *memory, bool is_printed, char *message)
+{
+    const bool is_short = memory->is_short;
+    if (!is_printed) {
+        shader_say(message, "%s",
+                   is_short ? "out of memory, or of what a translation may take" : memory->message);
+    }
+    shader_memory_free(memory);
+    return is_printed ? RHW_OK : is_short ? RHW_ERROR_OUT_OF_MEMORY : RHW_ERROR_MISUSE;
 }
 
 enum rhw_result rhw_shader_print(const void *words, size_t size, const struct rhw_shader_def *def,
@@ -34,14 +46,42 @@ enum rhw_result rhw_shader_print(const void *words, size_t size, const struct rh
     struct shader_memory memory;
     shader_memory_init(&memory, RHW_SHADER_MAX_MEMORY);
     const struct shader_sink sink = {write, user};
-    enum rhw_result result = RHW_OK;
-    if (setjmp(memory.end) == 0) {
-        print(&memory, &sink, words, size, def, stop);
-    } else {
-        shader_say(message, "%s",
-                   memory.is_short ? "out of memory, or of what a translation may take" : memory.message);
-        result = memory.is_short ? RHW_ERROR_OUT_OF_MEMORY : RHW_ERROR_MISUSE;
+    if (setjmp(memory.end) != 0) {
+        return end(&memory, false, message);
     }
-    shader_memory_free(&memory);
-    return result;
+    print(&memory, &sink, words, size, def, stop);
+    return end(&memory, true, message);
+}
+
+static void print_code(struct shader_memory *memory, const struct shader_sink *sink,
+                       const rhw_shader_program *program, enum rhw_shader_stage kind)
+{
+    const uint32_t count = program->shaders[kind]->form->resource_count;
+    struct shader_machine_slot *const slots = shader_take(memory, count, sizeof *slots);
+    const struct shader_machine_stage stage = shader_describe_stage(program, kind, slots);
+    if (!program->machine[kind].code) {
+        shader_sink_print(sink, "; the interpreter executes this stage here\n");
+    }
+    if (!shader_machine_print(sink, memory, &stage, kind)) {
+        shader_sink_print(sink, "; it takes more of the stack than machine code may\n");
+    }
+}
+
+enum rhw_result rhw_shader_program_print_code(const rhw_shader_program *program, enum rhw_shader_stage stage,
+                                              void (*write)(void *user, const char *text, size_t size),
+                                              void *user, char *message)
+{
+    shader_say(message, "%s", "");
+    if ((unsigned)stage >= RHW_SHADER_STAGE_COUNT || !program->shaders[stage]) {
+        shader_say(message, "rhw_shader_program_print_code: the program does not have this stage");
+        return RHW_ERROR_MISUSE;
+    }
+    struct shader_memory memory;
+    shader_memory_init(&memory, RHW_SHADER_MAX_MEMORY);
+    const struct shader_sink sink = {write, user};
+    if (setjmp(memory.end) != 0) {
+        return end(&memory, false, message);
+    }
+    print_code(&memory, &sink, program, stage);
+    return end(&memory, true, message);
 }

@@ -11,6 +11,8 @@ RHW_ISA_DECLARE(rhw_vertex_function, shader_interpret_vertices);
 RHW_ISA_DECLARE(rhw_fragment_function, shader_interpret_fragments);
 RHW_ISA_DECLARE(rhw_workgroup_function, shader_interpret_workgroup);
 
+typedef void shader_function(void);
+
 // Layout ---------------------------------------------------------------------------------------------
 
 static int compare_layouts(const void *a, const void *b)
@@ -166,6 +168,56 @@ static bool has_work(const struct shader_interface *fragment)
     return has;
 }
 
+struct shader_machine_stage shader_describe_stage(const rhw_shader_program *program,
+                                                  enum rhw_shader_stage kind,
+                                                  struct shader_machine_slot *slots)
+{
+    const struct shader_bytecode *const bytecode = &program->bytecode[kind];
+    const struct shader_program *const form = program->shaders[kind]->form;
+    for (uint32_t r = 0; r < form->resource_count; r++) {
+        const struct shader_slot *const slot = &program->slots[kind][r];
+        slots[r] = (struct shader_machine_slot){slot->set, slot->first, slot->count};
+    }
+    return (struct shader_machine_stage){.form = form,
+                                         .slots = slots,
+                                         .component_of = bytecode->component_of,
+                                         .is_linear = bytecode->is_linear,
+                                         .w_component = bytecode->w_component,
+                                         .batch = bytecode->batch,
+                                         .target_count = bytecode->target_count};
+}
+
+// Generate the code of a stage. Return the function, or NULL where the interpreter has to do.
+static shader_function *generate(rhw_shader_program *program, enum rhw_shader_stage kind)
+{
+    const uint32_t count = program->shaders[kind]->form->resource_count;
+    struct shader_machine_slot *const slots =
+        program->is_interpreted ? NULL : calloc(count + 1, sizeof *slots);
+    if (!slots) {
+        return NULL;
+    }
+    const struct shader_machine_stage stage = shader_describe_stage(program, kind, slots);
+    struct shader_machine_block *const block = &program->machine[kind];
+    const bool is_made = shader_machine_make(&stage, kind, block);
+    free(slots);
+    return is_made ? (shader_function *)((uintptr_t)block->code + block->entry) : NULL;
+}
+
+// Put generated code where instruction sets have what it needs.
+static void generate_graphics(rhw_shader_program *program, bool has_fragment)
+{
+    shader_function *const vertex = generate(program, RHW_SHADER_VERTEX);
+    shader_function *const fragment = has_fragment ? generate(program, RHW_SHADER_FRAGMENT) : NULL;
+    for (int isa = RHW_ISA_AVX2; isa < RHW_ISA_COUNT; isa++) {
+        if (vertex) {
+            program->program.vertex[isa] = (rhw_vertex_function *)vertex;
+        }
+        if (fragment) {
+            program->program.fragment[isa] = (rhw_fragment_function *)fragment;
+        }
+    }
+}
+
 static bool link_graphics(rhw_shader_program *program, char *message)
 {
     static rhw_vertex_function *const vertex[RHW_ISA_COUNT] = RHW_ISA_TABLE(shader_interpret_vertices);
@@ -183,6 +235,9 @@ static bool link_graphics(rhw_shader_program *program, char *message)
         program->program.early_fragment_tests = below->form->entry->has_early_tests;
     }
     program->program.user = &program->stages;
+    if (fits) {
+        generate_graphics(program, below != NULL);
+    }
     return fits;
 }
 
@@ -200,12 +255,17 @@ static void link_compute(rhw_shader_program *program)
     compute->uniform_size = sizeof(struct rhw_shader_frame);
     compute->uses_atomic_results = shader->interface.uses_atomic_results;
     compute->user = &program->stages;
+    shader_function *const generated = generate(program, RHW_SHADER_COMPUTE);
+    for (int isa = RHW_ISA_AVX2; generated && isa < RHW_ISA_COUNT; isa++) {
+        compute->workgroup[isa] = (rhw_workgroup_function *)generated;
+    }
 }
 
 // Return false, with a message or without memory, on failure.
 static bool link_program(rhw_shader_program *program, const struct rhw_shader_program_def *def, char *message)
 {
     const rhw_shader *const given[STAGES] = {def->vertex, def->fragment, def->compute};
+    program->is_interpreted = def->is_interpreted;
     for (int s = 0; s < STAGES; s++) {
         if (given[s]) {
             shader_hold(&given[s]->kept);
@@ -235,6 +295,7 @@ static void destroy(struct shader_kept *kept)
 {
     rhw_shader_program *const program = (rhw_shader_program *)kept;
     for (int s = 0; s < STAGES; s++) {
+        shader_machine_free(&program->machine[s]);
         free(program->slots[s]);
         if (program->shaders[s]) {
             shader_release(&program->shaders[s]->kept);
@@ -249,7 +310,7 @@ static size_t program_size(const rhw_shader_program *program)
 {
     size_t size = sizeof *program + program->layout_count * sizeof *program->layout;
     for (int s = 0; s < STAGES; s++) {
-        size += program->shaders[s] ? shader_size(program->shaders[s]) : 0;
+        size += program->machine[s].size + (program->shaders[s] ? shader_size(program->shaders[s]) : 0);
     }
     return size;
 }
@@ -282,7 +343,7 @@ enum rhw_result rhw_shader_program_create(const struct rhw_shader_program_def *d
         return RHW_ERROR_MISUSE;
     }
     // With the parts of the key: all that the definition has but its cache.
-    const size_t begin[] = {STAGES, def->layout != NULL};
+    const size_t begin[] = {STAGES, def->layout != NULL, def->is_interpreted};
     const rhw_shader *const shaders[STAGES] = {def->vertex, def->fragment, def->compute};
     const struct shader_key key = {
         {{begin, sizeof begin},
@@ -310,6 +371,11 @@ void rhw_shader_program_destroy(rhw_shader_program *program)
     if (program) {
         shader_release(&program->kept);
     }
+}
+
+bool rhw_shader_program_is_generated(const rhw_shader_program *program, enum rhw_shader_stage stage)
+{
+    return program->machine[stage].code != NULL;
 }
 
 const struct rhw_program *rhw_shader_program_get(const rhw_shader_program *program)

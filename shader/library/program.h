@@ -3,6 +3,7 @@
 #ifndef SHADER_PROGRAM_H
 #define SHADER_PROGRAM_H
 
+#include "machine/machine.h"
 #include "shader.h"
 
 enum { STAGES = RHW_SHADER_STAGE_COUNT, MAX_TARGETS = RHW_MAX_COLOR_ATTACHMENTS };
@@ -13,10 +14,17 @@ struct rhw_shader_program {
     struct shader_bytecode bytecode[STAGES]; // the shaders' own, with slots and components
     struct shader_slot *slots[STAGES];
     struct shader_stages stages;
-    struct rhw_shader_layout *layout; // by set and binding, each once
+    struct shader_machine_block machine[STAGES]; // generated code, where there is some
+    struct rhw_shader_layout *layout;            // by set and binding, each once
     uint32_t layout_count;
+    bool is_interpreted;
     struct rhw_program program;
     struct rhw_compute_program compute;
 };
+
+// Describe a stage of the program to the back end, with its slots in an array of as many as it has resources.
+struct shader_machine_stage shader_describe_stage(const rhw_shader_program *program,
+                                                  enum rhw_shader_stage kind,
+                                                  struct shader_machine_slot *slots);
 
 #endif

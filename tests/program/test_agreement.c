@@ -233,6 +233,12 @@ static void test_interpreted_shaders_draw_the_same_bytes(void **state)
     check_same_bytes(BENCH_INTERPRETER);
 }
 
+static void test_generated_shaders_draw_the_same_bytes(void **state)
+{
+    (void)state;
+    check_same_bytes(BENCH_MACHINE);
+}
+
 static void test_emitted_shaders_draw_the_same_bytes(void **state)
 {
     (void)state;
@@ -305,6 +311,7 @@ int main(void)
         cmocka_unit_test(test_missing_passes_are_noticed),
         cmocka_unit_test(test_missing_lines_points_and_instances_are_noticed),
         cmocka_unit_test(test_interpreted_shaders_draw_the_same_bytes),
+        cmocka_unit_test(test_generated_shaders_draw_the_same_bytes),
         cmocka_unit_test(test_emitted_shaders_draw_the_same_bytes),
         cmocka_unit_test(test_translated_shaders_agree_where_formulas_have_another_order),
         cmocka_unit_test(test_what_is_tolerated_is_exactly_what_is_stated),

@@ -80,7 +80,7 @@ GIVEN = {
     r"out/recipes/window": "SDL_VIDEODRIVER=dummy out/recipes/window --frames 2",
     r"^make -B": "make -C examples/embedding -B",
     r"bench --scene fill": "bench --frames 1 --size 160x90 --peer none --scene fill_flat",
-    r"bench --peer (interpreter|emitted)": r"bench --frames 1 --size 160x90 --scene fill_flat --peer \1",
+    r"bench --peer (interpreter|machine|emitted)": r"bench --frames 1 --size 160x90 --scene fill_flat --peer \1",
     r"bench --save": "bench --frames 1 --size 160x90 --peer none --scene fill_flat --save",
 }
 

@@ -112,6 +112,11 @@ succeed shader --print ir --after build double.comp
 check "no operation is uniform before passes" sh -c "! grep -q '^u' '$folder/log/out' && grep -q '^u' passes"
 succeed shader --print bytecode double.comp
 check "bytecode" grep -Eq "^ +[0-9]+  end *$" "$folder/log/out"
+succeed shader --print code double.comp
+check "machine code" grep -Eq "^ +[0-9a-f]+  c3 +ret$" "$folder/log/out"
+check "lines of the source beside it" grep -q "^; double.comp:10  sink" "$folder/log/out"
+RHW_JIT=0 succeed shader --print code double.comp
+check "who executes it" grep -q "^; the interpreter executes this stage here$" "$folder/log/out"
 
 
 # What a file is made of, for make.
@@ -298,7 +303,7 @@ refuse 2 "a.png: a compute shader has no picture" shader double.spv --run --resu
 refuse 2 "a.png: SPIR-V is named .spv, and C .c; a picture, .png, is drawn with --run" shader red.frag -o a.png
 refuse 2 "a.spv: a picture of --run is named .png" shader red.frag --run -o a.spv
 refuse 2 "a.spv: SPIR-V is written of one FILE" shader red.vert red.frag -o a.spv
-refuse 2 "--print: 'glsl' is not info, spirv, ir or bytecode" shader red.frag --print glsl
+refuse 2 "--print: 'glsl' is not info, spirv, ir, bytecode or code" shader red.frag --print glsl
 refuse 2 "--json: goes with --print info alone" shader red.frag --json --print ir
 refuse 2 "--after: goes with --print ir alone" shader red.frag --after build
 refuse 2 "--time: goes with --run alone" shader red.frag --time 1

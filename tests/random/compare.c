@@ -2,175 +2,10 @@
 // Runs random programs on the interpreter and as C, from the same memory, and compares all that they leave.
 #include "compare.h"
 
-#include <rhw/bind.h>
 #include <stdio.h>
 #include <string.h>
 
-#include "harness.h"
-
-enum { SIDE = 16, WORKGROUPS = 3, SOURCE = 64, OWN = 8 * 1024, COUNTERS = 16, CANVAS = 32, PICTURE = 8 };
-
-// What a program reads and leaves.
-struct world {
-    float numbers[8][4];
-    int32_t wholes[8][4];
-    uint32_t source[SOURCE], own[OWN], counters[COUNTERS];
-    float canvas[CANVAS][CANVAS][4];
-    float color[SIDE * SIDE][4];
-};
-
-// What stands around programs.
-struct stage {
-    struct rig rig;
-    rhw_texture picture, canvas;
-    rhw_sampler sampler;
-    struct rhw_binding set[6];
-    struct rhw_shader_frame frame;
-    int32_t push[2];
-};
-
-static void fill_world(struct world *world)
-{
-    uint64_t state = 1;
-    memset(world, 0, sizeof *world);
-    for (int i = 0; i < 32; i++) {
-        world->numbers[i / 4][i % 4] = rig_random_float(&state, -16, 16);
-        world->wholes[i / 4][i % 4] = rig_random_int(&state, 30) - 5;
-    }
-    for (int i = 0; i < SOURCE; i++) {
-        world->source[i] = (uint32_t)rig_random(&state);
-    }
-    for (int i = 0; i < OWN; i++) {
-        world->own[i] = (uint32_t)rig_random_int(&state, 100);
-    }
-    memset(world->counters, 0x5a, sizeof world->counters);
-}
-
-static rhw_texture make_texture(rhw_context *context, int side)
-{
-    rhw_texture texture;
-    const struct rhw_texture_def def = {.width = side, .height = side, .format = RHW_FORMAT_RGBA32_FLOAT};
-    assert_int_equal(rhw_texture_create(context, &def, &texture), RHW_OK);
-    return texture;
-}
-
-static void open_stage(struct stage *stage)
-{
-    static float texels[PICTURE * PICTURE][4];
-    const struct rhw_sampler_def sampler = rhw_sampler_def_default();
-    const float scale = 1.75f;
-    uint64_t state = 7;
-    for (int i = 0; i < PICTURE * PICTURE * 4; i++) {
-        texels[i / 4][i % 4] = rig_random_float(&state, 0, 1);
-    }
-    struct rhw_context_def def = rhw_context_def_default();
-    def.threads = 1; // so that atomics come in one order
-    rig_open_with(&stage->rig, SIDE, SIDE, &def);
-    rhw_context *const context = stage->rig.context;
-    stage->picture = make_texture(context, PICTURE);
-    stage->canvas = make_texture(context, CANVAS);
-    assert_int_equal(rhw_texture_write(context, stage->picture, 0, texels, 0), RHW_OK);
-    assert_int_equal(rhw_sampler_create(context, &sampler, &stage->sampler), RHW_OK);
-    assert_int_equal(rhw_binding_of_texture(context, stage->picture, stage->sampler, &stage->set[4]), RHW_OK);
-    assert_int_equal(rhw_binding_of_image(context, stage->canvas, 0, false, &stage->set[5]), RHW_OK);
-    stage->push[0] = 3;
-    memcpy(&stage->push[1], &scale, sizeof scale);
-}
-
-static void bind_world(struct stage *stage, struct world *world)
-{
-    assert_true(rhw_binding_of_memory(world->numbers, sizeof world->numbers + sizeof world->wholes, true,
-                                      &stage->set[0]));
-    assert_true(rhw_binding_of_memory(world->source, sizeof world->source, true, &stage->set[1]));
-    assert_true(rhw_binding_of_memory(world->own, sizeof world->own, false, &stage->set[2]));
-    assert_true(rhw_binding_of_memory(world->counters, sizeof world->counters, false, &stage->set[3]));
-    assert_int_equal(rhw_texture_write(stage->rig.context, stage->canvas, 0, world->canvas, 0), RHW_OK);
-}
-
-// The frame of a program, whose set has the bindings that it uses, one behind the other.
-static struct rhw_shader_frame frame_of(const struct stage *stage, const rhw_shader_program *program,
-                                        struct rhw_binding set[6])
-{
-    for (uint32_t b = 0; b < 6; b++) {
-        const int place = rhw_shader_program_find(program, 0, b);
-        if (place >= 0) {
-            set[place] = stage->set[b];
-        }
-    }
-    return (struct rhw_shader_frame){
-        .sets = {set}, .push_constants = stage->push, .push_size = sizeof stage->push};
-}
-
-static void draw(struct stage *stage, const struct rhw_program *program, const struct rhw_shader_frame *frame,
-                 struct world *world)
-{
-    static const struct rig_vertex vertices[4] = {{{-1, -1, 0.25f, 1}, {0, 0.5f, -1, 2}},
-                                                  {{1.5f, -1, 0.5f, 1.5f}, {3, -0.5f, 1, 0}},
-                                                  {{-1, 1, 0.75f, 1}, {-2, 1, 0.5f, 1}},
-                                                  {{1, 1, 0.5f, 1}, {1, 0, 4, -3}}};
-    struct rig *const rig = &stage->rig;
-    rig->pipeline.program = *program;
-    rig->pipeline.topology = RHW_TRIANGLE_STRIP;
-    rig_begin(rig);
-    rig_use_pipeline(rig);
-    rig_use_vertices(rig, 0, vertices, sizeof vertices);
-    rhw_pass_set_uniforms(rig->context, rig->recording, frame, sizeof *frame);
-    rhw_pass_draw(rig->context, rig->recording, 0, 4, 0, 1);
-    rig_end(rig);
-    memcpy(world->color, rig_read_float4(rig), sizeof world->color);
-}
-
-static void run(struct stage *stage, const struct rhw_program *drawn,
-                const struct rhw_compute_program *compute, const rhw_shader_program *linked,
-                struct world *world)
-{
-    struct rhw_binding set[6];
-    fill_world(world);
-    bind_world(stage, world);
-    const struct rhw_shader_frame frame = frame_of(stage, linked, set);
-    if (drawn) {
-        draw(stage, drawn, &frame, world);
-    } else {
-        const struct rhw_dispatch_def def = {
-            .program = *compute, .uniforms = &frame, .uniform_bytes = sizeof frame};
-        assert_int_equal(rhw_dispatch(stage->rig.context, &def, WORKGROUPS, 1, 1), RHW_OK);
-    }
-    assert_int_equal(rhw_texture_read(stage->rig.context, stage->canvas, 0, world->canvas, 0), RHW_OK);
-}
-
-static rhw_shader *create(const struct random_words *words, enum rhw_shader_stage stage)
-{
-    const struct rhw_shader_def def = {.stage = stage};
-    char message[RHW_SHADER_MESSAGE];
-    rhw_shader *shader;
-    if (rhw_shader_create(words->words, words->size, &def, &shader, message) != RHW_OK) {
-        fail_msg("%s: %s", words->name, message);
-    }
-    return shader;
-}
-
-// Say where worlds differ. Return whether they do.
-static bool differ(const char *name, const struct world *a, const struct world *b)
-{
-    const uint32_t *const x = (const uint32_t *)(const void *)a, *const y = (const uint32_t *)(const void *)b;
-    for (size_t i = 0; i < sizeof *a / sizeof *x; i++) {
-        if (x[i] != y[i]) {
-            const size_t own = offsetof(struct world, own) / 4,
-                         counters = offsetof(struct world, counters) / 4;
-            const size_t canvas = offsetof(struct world, canvas) / 4,
-                         color = offsetof(struct world, color) / 4;
-            const size_t at = i >= color ? color : i >= canvas ? canvas : i >= counters ? counters : own;
-            fprintf(stderr, "%s: word %zu of %s: the interpreter has 0x%x, C 0x%x\n", name, i - at,
-                    at == color      ? "the picture"
-                    : at == canvas   ? "the image"
-                    : at == counters ? "the counters"
-                                     : "the buffer",
-                    (unsigned)x[i], (unsigned)y[i]);
-            return true;
-        }
-    }
-    return false;
-}
+#include "world.h"
 
 static void test_programs_leave_equal_bytes(void **state)
 {
@@ -179,21 +14,22 @@ static void test_programs_leave_equal_bytes(void **state)
     static struct stage stage;
     int flaws = 0, used = 0;
     open_stage(&stage);
-    rhw_shader *const vertex = create(&random_vertex, RHW_SHADER_VERTEX);
+    rhw_shader *const vertex =
+        create_shader(random_vertex.name, random_vertex.words, random_vertex.size, RHW_SHADER_VERTEX);
     for (int i = 0; i < random_count; i++) {
         const struct random_program *const one = &random_programs[i];
-        rhw_shader *const shader =
-            create(&one->words, one->compute ? RHW_SHADER_COMPUTE : RHW_SHADER_FRAGMENT);
+        rhw_shader *const shader = create_shader(one->words.name, one->words.words, one->words.size,
+                                                 one->compute ? RHW_SHADER_COMPUTE : RHW_SHADER_FRAGMENT);
         const struct rhw_shader_program_def def = {.vertex = one->compute ? NULL : vertex,
                                                    .fragment = one->compute ? NULL : shader,
                                                    .compute = one->compute ? shader : NULL};
         rhw_shader_program *program;
         assert_int_equal(rhw_shader_program_create(&def, &program, NULL), RHW_OK);
         const struct rhw_program *const drawn = one->compute ? NULL : rhw_shader_program_get(program);
-        run(&stage, drawn, rhw_shader_program_get_compute(program), program, &worlds[0]);
-        run(&stage, one->drawn, one->compute, program, &worlds[1]);
-        flaws += differ(one->words.name, &worlds[0], &worlds[1]) ? 1 : 0;
-        fill_world(&worlds[1]);
+        run_program(&stage, drawn, rhw_shader_program_get_compute(program), program, &worlds[0], 0);
+        run_program(&stage, one->drawn, one->compute, program, &worlds[1], 0);
+        flaws += worlds_differ(one->words.name, &worlds[0], &worlds[1], "C") ? 1 : 0;
+        fill_world(&worlds[1], 0);
         used += memcmp(&worlds[0], &worlds[1], sizeof worlds[0]) != 0 ? 1 : 0;
         rhw_shader_program_destroy(program);
         rhw_shader_destroy(shader);

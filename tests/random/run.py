@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: MIT
 """Write random programs, write them as C, compile that in bulk, and compare it with the interpreter.
 
-Every second chunk is compiled for the wider instruction set, where the machine has it.
+Every second chunk is compiled for the wider instruction set, where the machine has it. With --machine TOOL the programs
+are compared as generated machine code instead, with all registers and with few.
 """
 import argparse
 import concurrent.futures
@@ -25,12 +26,22 @@ def has_wide():
         return False
 
 
+def compare_machine(tool, options, vertex):
+    """Return 0 if machine code leaves what the interpreter does."""
+    with tempfile.TemporaryDirectory() as folder:
+        generate.main(options.seed, options.first, options.count, folder)
+        command = [tool, folder, str(options.first), str(options.count), vertex]
+        return max(subprocess.run(command, env={**os.environ, 'RHW_JIT': registers}, check=False).returncode
+                   for registers in ('16', '6'))
+
+
 def main():
     parser = argparse.ArgumentParser()
-    parser.add_argument('--compiler', required=True)
+    parser.add_argument('--compiler')
     parser.add_argument('--flags', default='')
     parser.add_argument('--wide-flags', default='')
-    parser.add_argument('--emit', required=True)
+    parser.add_argument('--emit')
+    parser.add_argument('--machine')
     parser.add_argument('--seed', type=int, default=1)
     parser.add_argument('--first', type=int, default=0)
     parser.add_argument('--count', type=int, default=12)
@@ -39,6 +50,8 @@ def main():
     parser.add_argument('--libraries', nargs=argparse.REMAINDER, default=[])
     options = parser.parse_args()
     here = os.path.dirname(os.path.abspath(__file__))
+    if options.machine:
+        return compare_machine(options.machine, options, os.path.join(here, 'random.vert'))
     flags = options.flags.split()
     wide = options.wide_flags.split() if has_wide() else []
     with tempfile.TemporaryDirectory() as temporary:

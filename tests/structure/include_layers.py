@@ -16,7 +16,7 @@ import sys
 # src/context_create.c and src/defaults.c know every room, and scene/model.h is known by every room. The readers at
 # the root of scene/import stand beside the function that chooses one, above those with a folder of their own.
 SRC = ['base', 'context', 'format', 'resource', 'pipeline', 'binding', 'draw', 'kernels', 'run', 'pass', 'dispatch recording', '']
-SHADER = ['module', 'form', 'interpreter emitter', 'library']
+SHADER = ['module', 'form', 'interpreter emitter machine', 'library']
 SCENE = ['', 'draw/shading', 'draw/camera', 'import/image', 'import/builder',
          'import/finish import/gltf import/threemf import/assimp draw', 'import']
 KERNELS = ['texel', 'texture', 'raster', 'depth', 'fragment geometry', 'tile']

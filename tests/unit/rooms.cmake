@@ -45,6 +45,8 @@ function(rhw_unit_room room)
           add_test(NAME ${name}_in_c COMMAND unit_${room} --filter ${name})
           set_tests_properties(${name}_in_c PROPERTIES TIMEOUT ${RHW_TEST_TIMEOUT} LABELS unit
             ENVIRONMENT RHW_TEST_BACK_END=c)
+          add_test(NAME ${name}_interpreted COMMAND unit_${room} --filter ${name})
+          set_tests_properties(${name}_interpreted PROPERTIES TIMEOUT ${RHW_TEST_TIMEOUT} LABELS unit ENVIRONMENT RHW_JIT=0)
         endif()
       endforeach()
     endif()

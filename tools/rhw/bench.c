@@ -79,6 +79,9 @@ static bool open_peer_named(struct bench_renderer *renderer, const struct cli_be
     if (strcmp(job->peer, "interpreter") == 0) {
         return bench_open_translated(renderer, BENCH_INTERPRETER, job->threads[0], job->isa, why);
     }
+    if (strcmp(job->peer, "machine") == 0) {
+        return bench_open_translated(renderer, BENCH_MACHINE, job->threads[0], job->isa, why);
+    }
     if (strcmp(job->peer, "emitted") == 0) {
         return bench_open_translated(renderer, BENCH_EMITTED, job->threads[0], job->isa, why);
     }

@@ -18,7 +18,8 @@ enum cli_shader_print {
     CLI_SHADER_INFO,
     CLI_SHADER_SPIRV,
     CLI_SHADER_FORM,
-    CLI_SHADER_BYTECODE
+    CLI_SHADER_BYTECODE,
+    CLI_SHADER_CODE
 };
 
 /// What an option says about a resource, "SET:BINDING=VALUE" or "NAME=VALUE".

@@ -124,7 +124,7 @@ static bool compile(struct cli_shader_file *file, const char *text, size_t size,
         .include = glsl_include_file,
         .user = &folders,
         .is_relaxed = job->runs || job->is_relaxed || file->main_image.text,
-        .has_lines = job->print == CLI_SHADER_FORM || job->print == CLI_SHADER_BYTECODE,
+        .has_lines = job->print >= CLI_SHADER_FORM,
         .before = file->main_image.before,
     };
     const bool compiled =

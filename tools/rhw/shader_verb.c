@@ -43,7 +43,8 @@ static const struct cli_option options[] = {
      "print info: stage, resources, inputs and outputs, which is what happens anyway;\n"
      "spirv: instructions of the module, as spirv-dis writes them;\n"
      "ir: the form that shaders are translated into, beside the lines of the source;\n"
-     "bytecode: what the interpreter executes"},
+     "bytecode: what the interpreter executes;\n"
+     "code: machine code of x86-64 with AVX2, beside the form and the lines of the source"},
     {"after", OPTION_AFTER, "STEP", "with --print ir, the form behind build or passes; default passes"},
     {"json", OPTION_JSON, NULL, "print info as JSON"},
     {"all-errors", OPTION_ALL_ERRORS, NULL, "print every error of the compiler, not the first alone"},
@@ -255,13 +256,13 @@ static bool parse_run_option(struct cli_shader_job *job, int id, const char *arg
 
 static bool parse_option(struct cli_shader_job *job, int id, char *argument)
 {
-    static const char *const prints[] = {"info", "spirv", "ir", "bytecode"}, *const steps[] = {"build",
-                                                                                               "passes"};
+    static const char *const prints[] = {"info", "spirv", "ir", "bytecode", "code"};
+    static const char *const steps[] = {"build", "passes"};
     int choice;
     switch (id) {
     case OPTION_OUT: job->out = argument; return true;
     case OPTION_PRINT:
-        choice = cli_choose("--print", argument, prints, 4);
+        choice = cli_choose("--print", argument, prints, 5);
         job->print = (enum cli_shader_print)choice;
         return choice >= 0;
     case OPTION_AFTER:
@@ -333,7 +334,8 @@ static void write_text(void *user, const char *text, size_t size)
     fwrite(text, 1, size, stdout);
 }
 
-static bool print_shader(const struct cli_shader_file *file, const struct cli_shader_job *job)
+static bool print_shader(const struct cli_shader_file *file, const struct cli_shader_job *job,
+                         const rhw_shader_program *program)
 {
     char message[RHW_SHADER_MESSAGE];
     const struct rhw_shader_def def = cli_shader_file_def(file);
@@ -349,6 +351,13 @@ static bool print_shader(const struct cli_shader_file *file, const struct cli_sh
         }
         fputs(text, stdout);
         free(text);
+        return true;
+    }
+    if (job->print == CLI_SHADER_CODE) {
+        if (rhw_shader_program_print_code(program, file->stage, write_text, NULL, message) != RHW_OK) {
+            cli_error(file->path, "%s", message);
+            return false;
+        }
         return true;
     }
     const enum rhw_shader_stop stop = job->print == CLI_SHADER_BYTECODE ? RHW_SHADER_ASSEMBLED
@@ -412,8 +421,8 @@ static bool work(struct cli_shader_job *job, struct cli_shader_file *files, int 
 {
     rhw_shader_program *program = NULL;
     const bool writes_c = job->out && has_ending(job->out, ".c");
-    bool done =
-        check_constants(job, files[0].path) && cli_shader_link(files, count, job->runs || writes_c, &program);
+    const bool needs_program = job->runs || writes_c || job->print == CLI_SHADER_CODE;
+    bool done = check_constants(job, files[0].path) && cli_shader_link(files, count, needs_program, &program);
     if (done && job->runs) {
         done = cli_shader_run(job, files, count, program);
     } else if (done && writes_c) {
@@ -427,7 +436,7 @@ static bool work(struct cli_shader_job *job, struct cli_shader_file *files, int 
     } else if (done && !job->runs && (job->print != CLI_SHADER_NOTHING || !job->out)) {
         job->print = job->print == CLI_SHADER_NOTHING ? CLI_SHADER_INFO : job->print;
         for (int i = 0; i < count && done; i++) {
-            done = print_shader(&files[i], job);
+            done = print_shader(&files[i], job, program);
         }
     }
     rhw_shader_program_destroy(program);

@@ -141,8 +141,11 @@ static void test_what_differs_is_kept_apart(void **state)
     link.compute = b;
     rhw_shader_program *const another = link_def(&link);
     assert_ptr_not_equal(longer, another);
-    rhw_shader_program *const all[] = {plain, laid_out, longer, another};
-    for (int i = 0; i < 4; i++) {
+    link.is_interpreted = true;
+    rhw_shader_program *const interpreted = link_def(&link);
+    assert_ptr_not_equal(another, interpreted);
+    rhw_shader_program *const all[] = {plain, laid_out, longer, another, interpreted};
+    for (size_t i = 0; i < sizeof all / sizeof *all; i++) {
         rhw_shader_program_destroy(all[i]);
     }
     rhw_shader_destroy(a);

@@ -134,6 +134,54 @@ static void test_what_lanes_do_together_has_names(void **state)
     expect_order(parts, sizeof parts / sizeof *parts);
 }
 
+static void test_machine_code_stands_beside_its_source(void **state)
+{
+    (void)state;
+    static const char twice[] = "layout(local_size_x = 8) in;\n"
+                                "layout(binding = 0) buffer B { float b[]; };\n"
+                                "void main()\n"
+                                "{\n"
+                                "    float one = b[gl_GlobalInvocationID.x];\n"
+                                "    b[gl_GlobalInvocationID.x] = one < 7.5 ? sin(one) : one * 2.5;\n"
+                                "}\n";
+    static const char *const parts[] = {" bytes of code, ",
+                                        "\nL0:\n",
+                                        "\n; x.frag:5  float one = ",
+                                        " = load u",
+                                        "\n; x.frag:6  b[gl_GlobalInvocationID.x] = one < 7.5",
+                                        " = fmul v",
+                                        " 2.5\n",
+                                        "  vmulps ymm",
+                                        "  vzeroupper\n",
+                                        "  ret\n",
+                                        "  push rbp\n",
+                                        "  jmp L0\n"};
+    char message[RHW_SHADER_MESSAGE];
+    size_t length = 0;
+    rhw_shader *shader;
+    rhw_shader_program *program;
+    struct glsl_code code;
+    const struct rhw_shader_def def = {.stage = RHW_SHADER_COMPUTE};
+    if (!glsl_is_there()) {
+        skip();
+    }
+    assert_true(glsl_compile(RHW_SHADER_COMPUTE, twice, strlen(twice), "x.frag",
+                             &(struct glsl_options){.has_lines = true}, &code, message, sizeof message));
+    assert_int_equal(rhw_shader_create(code.words, code.size, &def, &shader, message), RHW_OK);
+    glsl_code_free(&code);
+    const struct rhw_shader_program_def linked = {.compute = shader};
+    assert_int_equal(rhw_shader_program_create(&linked, &program, message), RHW_OK);
+    rhw_shader_destroy(shader);
+    assert_int_equal(rhw_shader_program_print_code(program, RHW_SHADER_COMPUTE, keep, &length, message),
+                     RHW_OK);
+    expect_order(parts, sizeof parts / sizeof *parts);
+    length = 0;
+    assert_int_equal(rhw_shader_program_print_code(program, RHW_SHADER_VERTEX, keep, &length, message),
+                     RHW_ERROR_MISUSE);
+    assert_int_equal(length, 0);
+    rhw_shader_program_destroy(program);
+}
+
 static void test_nothing_is_printed_of_what_is_refused(void **state)
 {
     (void)state;
@@ -154,6 +202,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_the_form_is_printed_before_its_passes),
     cmocka_unit_test(test_instructions_have_registers),
     cmocka_unit_test(test_what_lanes_do_together_has_names),
+    cmocka_unit_test(test_machine_code_stands_beside_its_source),
     cmocka_unit_test(test_nothing_is_printed_of_what_is_refused),
 };
 

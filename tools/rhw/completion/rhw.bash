@@ -126,7 +126,7 @@ _rhw_info() { # CURRENT PREVIOUS
 _rhw_shader() { # CURRENT PREVIOUS
     case $2 in
     --out | --out= | -o) _rhw_files "$1" ;;
-    --print | --print=) _rhw_words "$1" info spirv ir bytecode ;;
+    --print | --print=) _rhw_words "$1" info spirv ir bytecode code ;;
     --after | --after=) _rhw_words "$1" build passes ;;
     --include | --include= | -I) _rhw_files "$1" ;;
     --depfile | --depfile=) _rhw_files "$1" ;;

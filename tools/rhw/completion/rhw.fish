@@ -200,7 +200,7 @@ complete -c rhw -n "$seen" -s h -l help -d 'print this and exit'
 set -l seen '__rhw_verb shader'
 complete -c rhw -n '__rhw_file shader' -F
 complete -c rhw -n "$seen" -s o -l out -r -F -d 'write SPIR-V, to a file named .spv, or the program as C for rhw_add_shaders, to one named .c'
-complete -c rhw -n "$seen" -l print -x -a 'info spirv ir bytecode' -d 'print info'
+complete -c rhw -n "$seen" -l print -x -a 'info spirv ir bytecode code' -d 'print info'
 complete -c rhw -n "$seen" -l after -x -a 'build passes' -d 'with --print ir, the form behind build or passes'
 complete -c rhw -n "$seen" -l json -d 'print info as JSON'
 complete -c rhw -n "$seen" -l all-errors -d 'print every error of the compiler, not the first alone'

@@ -6,41 +6,41 @@
 // through it together. The code between cuts and wide structure is a run, through which one group goes after the
 // other. What one run computes and another reads is kept in an array with an element for each group. Without a cut
 // there is one run.
-#ifndef SHADER_C_PLAN_H
-#define SHADER_C_PLAN_H
+#ifndef SHADER_PLAN_H
+#define SHADER_PLAN_H
 
-#include "emitter.h"
+#include "form.h"
 
-#define SHADER_C_NONE UINT32_MAX
+#define SHADER_NONE UINT32_MAX
 
 // IF, REGION or LOOP, by the place in the code where it begins.
-struct shader_c_structure {
+struct shader_structure {
     uint32_t end;       // place of its end
-    uint32_t otherwise; // place of its ELSE, or SHADER_C_NONE
+    uint32_t otherwise; // place of its ELSE, or SHADER_NONE
     bool loses;         // lanes that come in may not come out: they leave for further out, or are discarded
     bool is_wide;
     bool is_uniform; // all lanes take the same way
 };
 
-struct shader_c_plan {
+struct shader_plan {
     const struct shader_program *form;
-    struct shader_c_structure *structures; // by place
-    uint32_t *place;                       // by value: where it stands in the code, or SHADER_C_NONE
-    uint32_t *block;                       // by place: number of the block around it
-    uint32_t *run;             // by place: number of the run, or SHADER_C_NONE at cuts and wide structure
+    struct shader_structure *structures; // by place
+    uint32_t *place;                     // by value: where it stands in the code, or SHADER_NONE
+    uint32_t *block;                     // by place: number of the block around it
+    uint32_t *run;             // by place: number of the run, or SHADER_NONE at cuts and wide structure
     uint32_t *uses, *last_use; // by value: how often it is read, and a place where it is read
     bool *is_float;            // by value: what it is declared as
     bool *is_hoisted;          // by value: it is computed once a call
     bool *is_kept;             // by value: it has an element for each group
-    uint32_t *home_run;        // by value: the run that a home belongs to; SHADER_C_NONE: it is kept
+    uint32_t *home_run;        // by value: the run that a home belongs to; SHADER_NONE: it is kept
     uint32_t *first_home;      // by run: the first of its homes, counted from 1
     uint32_t *next_home;       // by value: the next home of its run, counted from 1
     bool has_cuts, has_effects, loses_lanes;
 };
 
-bool shader_c_is_cut(const struct shader_c_plan *plan, uint32_t place);
-bool shader_c_is_wide(const struct shader_c_plan *plan, uint32_t place);
-void shader_c_make_plan(struct shader_memory *memory, const struct shader_program *form,
-                        struct shader_c_plan *plan);
+bool shader_is_cut(const struct shader_plan *plan, uint32_t place);
+bool shader_is_wide(const struct shader_plan *plan, uint32_t place);
+void shader_make_plan(struct shader_memory *memory, const struct shader_program *form,
+                      struct shader_plan *plan);
 
 #endif

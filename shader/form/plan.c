@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// See c_plan.h.
-#include "c_plan.h"
+// See plan.h.
+#include "plan.h"
 
-static enum shader_op op_at(const struct shader_c_plan *plan, uint32_t place)
+static enum shader_op op_at(const struct shader_plan *plan, uint32_t place)
 {
     return (enum shader_op)plan->form->nodes[plan->form->code[place]].op;
 }
@@ -17,19 +17,19 @@ static bool closes(enum shader_op op)
     return op == SHADER_END_IF || op == SHADER_END_REGION || op == SHADER_END_LOOP;
 }
 
-static bool is_uniform(const struct shader_c_plan *plan, uint32_t value)
+static bool is_uniform(const struct shader_plan *plan, uint32_t value)
 {
     return (plan->form->nodes[value].flags & SHADER_UNIFORM) != 0;
 }
 
-static uint32_t *operands_at(const struct shader_c_plan *plan, uint32_t place, uint32_t *count)
+static uint32_t *operands_at(const struct shader_plan *plan, uint32_t place, uint32_t *count)
 {
     return shader_operands(plan->form, &plan->form->nodes[plan->form->code[place]], count);
 }
 
 // Structure ------------------------------------------------------------------------------------------
 
-static void find_structures(struct shader_memory *memory, struct shader_c_plan *plan)
+static void find_structures(struct shader_memory *memory, struct shader_plan *plan)
 {
     const struct shader_program *const form = plan->form;
     uint32_t *const stack = shader_take(memory, SHADER_MAX_DEPTH + 2, sizeof *stack);
@@ -48,8 +48,8 @@ static void find_structures(struct shader_memory *memory, struct shader_c_plan *
         plan->block[i] = block_stack[depth];
         if (opens(op)) {
             const uint32_t decider = op == SHADER_IF ? node->operands[0] : form->code[i];
-            plan->structures[i] = (struct shader_c_structure){.otherwise = SHADER_C_NONE,
-                                                              .is_uniform = is_uniform(plan, decider)};
+            plan->structures[i] =
+                (struct shader_structure){.otherwise = SHADER_NONE, .is_uniform = is_uniform(plan, decider)};
             stack[depth++] = i;
             block_stack[depth] = ++blocks;
         }
@@ -66,7 +66,7 @@ static void find_structures(struct shader_memory *memory, struct shader_c_plan *
 }
 
 // Structure is wide around a cut, and around a LEAVE of structure that is wide.
-static void find_wide(struct shader_memory *memory, struct shader_c_plan *plan)
+static void find_wide(struct shader_memory *memory, struct shader_plan *plan)
 {
     const struct shader_program *const form = plan->form;
     uint32_t *const stack = shader_take(memory, SHADER_MAX_DEPTH + 2, sizeof *stack);
@@ -78,7 +78,7 @@ static void find_wide(struct shader_memory *memory, struct shader_c_plan *plan)
             const bool leaves_wide =
                 op == SHADER_LEAVE &&
                 plan->structures[plan->place[form->nodes[form->code[i]].operands[0]]].is_wide;
-            for (uint32_t d = 0; (leaves_wide || shader_c_is_cut(plan, i)) && d < depth; d++) {
+            for (uint32_t d = 0; (leaves_wide || shader_is_cut(plan, i)) && d < depth; d++) {
                 changed = changed || !plan->structures[stack[d]].is_wide;
                 plan->structures[stack[d]].is_wide = true;
             }
@@ -92,7 +92,7 @@ static void find_wide(struct shader_memory *memory, struct shader_c_plan *plan)
 }
 
 // A LEAVE of wide structure stands in wide structure, and counts as such.
-bool shader_c_is_wide(const struct shader_c_plan *plan, uint32_t place)
+bool shader_is_wide(const struct shader_plan *plan, uint32_t place)
 {
     const enum shader_op op = op_at(plan, place);
     if (op == SHADER_LEAVE) {
@@ -102,7 +102,7 @@ bool shader_c_is_wide(const struct shader_c_plan *plan, uint32_t place)
     return opens(op) && plan->structures[place].is_wide;
 }
 
-bool shader_c_is_cut(const struct shader_c_plan *plan, uint32_t place)
+bool shader_is_cut(const struct shader_plan *plan, uint32_t place)
 {
     const enum shader_op op = op_at(plan, place);
     if (op == SHADER_ATOMIC || op == SHADER_IMAGE_ATOMIC) {
@@ -113,7 +113,7 @@ bool shader_c_is_cut(const struct shader_c_plan *plan, uint32_t place)
     return op == SHADER_BARRIER;
 }
 
-static void count_uses(struct shader_c_plan *plan)
+static void count_uses(struct shader_plan *plan)
 {
     const struct shader_program *const form = plan->form;
     for (uint32_t i = 0; i < form->code_count; i++) {
@@ -134,24 +134,24 @@ static void count_uses(struct shader_c_plan *plan)
 // Runs -----------------------------------------------------------------------------------------------
 
 // Number the runs from a place to another. Return the number of the run that is open at the end.
-static uint32_t number_runs(struct shader_c_plan *plan, uint32_t begin, uint32_t end, uint32_t run)
+static uint32_t number_runs(struct shader_plan *plan, uint32_t begin, uint32_t end, uint32_t run)
 {
     for (uint32_t i = begin; i < end; i++) {
         const enum shader_op op = op_at(plan, i);
-        if (shader_c_is_cut(plan, i)) {
-            plan->run[i] = op == SHADER_BARRIER ? SHADER_C_NONE : run + 1; // an atomic is a run of its own
+        if (shader_is_cut(plan, i)) {
+            plan->run[i] = op == SHADER_BARRIER ? SHADER_NONE : run + 1; // an atomic is a run of its own
             run += 2;
-        } else if (shader_c_is_wide(plan, i)) {
-            const struct shader_c_structure *const structure = &plan->structures[i];
-            plan->run[i] = SHADER_C_NONE;
+        } else if (shader_is_wide(plan, i)) {
+            const struct shader_structure *const structure = &plan->structures[i];
+            plan->run[i] = SHADER_NONE;
             if (op == SHADER_LEAVE) {
                 run++;
                 continue;
             }
             const uint32_t middle =
-                structure->otherwise == SHADER_C_NONE ? structure->end : structure->otherwise;
+                structure->otherwise == SHADER_NONE ? structure->end : structure->otherwise;
             run = number_runs(plan, i + 1, middle, run + 1) + 1;
-            plan->run[middle] = plan->run[structure->end] = SHADER_C_NONE;
+            plan->run[middle] = plan->run[structure->end] = SHADER_NONE;
             run = middle == structure->end ? run : number_runs(plan, middle + 1, structure->end, run) + 1;
             i = structure->end;
         } else if (opens(op)) {
@@ -167,7 +167,7 @@ static uint32_t number_runs(struct shader_c_plan *plan, uint32_t begin, uint32_t
 }
 
 // A home belongs to the run that has all of its places, unless a loop comes to the run again.
-static void place_homes(struct shader_memory *memory, struct shader_c_plan *plan)
+static void place_homes(struct shader_memory *memory, struct shader_plan *plan)
 {
     const struct shader_program *const form = plan->form;
     bool *const is_seen = shader_take(memory, form->node_count, sizeof *is_seen);
@@ -184,7 +184,7 @@ static void place_homes(struct shader_memory *memory, struct shader_c_plan *plan
                 continue;
             }
             const bool is_alone = (!is_seen[home] || plan->home_run[home] == plan->run[i]) && wide_loops == 0;
-            plan->home_run[home] = is_alone ? plan->run[i] : SHADER_C_NONE;
+            plan->home_run[home] = is_alone ? plan->run[i] : SHADER_NONE;
             is_seen[home] = true;
         }
         if (opens(op)) {
@@ -200,15 +200,15 @@ static void place_homes(struct shader_memory *memory, struct shader_c_plan *plan
             continue;
         }
         const uint32_t run = plan->home_run[value];
-        plan->is_kept[value] = run == SHADER_C_NONE;
-        if (run != SHADER_C_NONE) {
+        plan->is_kept[value] = run == SHADER_NONE;
+        if (run != SHADER_NONE) {
             plan->next_home[value] = plan->first_home[run];
             plan->first_home[run] = value + 1;
         }
     }
 }
 
-static void find_kept(struct shader_memory *memory, struct shader_c_plan *plan)
+static void find_kept(struct shader_memory *memory, struct shader_plan *plan)
 {
     const struct shader_program *const form = plan->form;
     for (uint32_t i = 0; i < form->code_count; i++) {
@@ -216,7 +216,7 @@ static void find_kept(struct shader_memory *memory, struct shader_c_plan *plan)
         const uint32_t *const operands = operands_at(plan, i, &count);
         for (uint32_t o = 0; o < count; o++) {
             const uint32_t at = plan->place[operands[o]];
-            if (at != SHADER_C_NONE && !plan->is_hoisted[operands[o]] && plan->run[at] != plan->run[i]) {
+            if (at != SHADER_NONE && !plan->is_hoisted[operands[o]] && plan->run[at] != plan->run[i]) {
                 plan->is_kept[operands[o]] = true;
             }
         }
@@ -227,7 +227,7 @@ static void find_kept(struct shader_memory *memory, struct shader_c_plan *plan)
 // What is computed once ------------------------------------------------------------------------------
 
 // Nobody writes the memory while the shader runs, as far as it can tell.
-static bool is_constant_memory(const struct shader_c_plan *plan, uint32_t buffer)
+static bool is_constant_memory(const struct shader_plan *plan, uint32_t buffer)
 {
     const struct shader_node *const node = shader_resource_node(plan->form, buffer);
     if (node->op == SHADER_PUSH || node->op == SHADER_TABLE) {
@@ -239,7 +239,7 @@ static bool is_constant_memory(const struct shader_c_plan *plan, uint32_t buffer
              !plan->form->resources[node->immediate].type->is_buffer_block));
 }
 
-static void find_hoisted(struct shader_c_plan *plan)
+static void find_hoisted(struct shader_plan *plan)
 {
     const struct shader_program *const form = plan->form;
     for (uint32_t i = 0; i < form->code_count; i++) {
@@ -339,7 +339,7 @@ static bool takes_float(const struct shader_node *node, uint32_t number)
 }
 
 // What may be either is a float if something takes it as one, or if it comes from one.
-static void find_types(struct shader_c_plan *plan)
+static void find_types(struct shader_plan *plan)
 {
     const struct shader_program *const form = plan->form;
     for (uint32_t value = 0; value < form->node_count; value++) {
@@ -372,29 +372,29 @@ static void find_types(struct shader_c_plan *plan)
     }
 }
 
-void shader_c_make_plan(struct shader_memory *memory, const struct shader_program *form,
-                        struct shader_c_plan *plan)
+void shader_make_plan(struct shader_memory *memory, const struct shader_program *form,
+                      struct shader_plan *plan)
 {
     const uint32_t nodes = form->node_count, places = form->code_count + 1;
-    *plan = (struct shader_c_plan){.form = form,
-                                   .structures = shader_take(memory, places, sizeof *plan->structures),
-                                   .place = shader_take(memory, nodes, sizeof(uint32_t)),
-                                   .block = shader_take(memory, places, sizeof(uint32_t)),
-                                   .run = shader_take(memory, places, sizeof(uint32_t)),
-                                   .uses = shader_take(memory, nodes, sizeof(uint32_t)),
-                                   .last_use = shader_take(memory, nodes, sizeof(uint32_t)),
-                                   .is_float = shader_take(memory, nodes, sizeof(bool)),
-                                   .is_hoisted = shader_take(memory, nodes, sizeof(bool)),
-                                   .is_kept = shader_take(memory, nodes, sizeof(bool)),
-                                   .home_run = shader_take(memory, nodes, sizeof(uint32_t))};
+    *plan = (struct shader_plan){.form = form,
+                                 .structures = shader_take(memory, places, sizeof *plan->structures),
+                                 .place = shader_take(memory, nodes, sizeof(uint32_t)),
+                                 .block = shader_take(memory, places, sizeof(uint32_t)),
+                                 .run = shader_take(memory, places, sizeof(uint32_t)),
+                                 .uses = shader_take(memory, nodes, sizeof(uint32_t)),
+                                 .last_use = shader_take(memory, nodes, sizeof(uint32_t)),
+                                 .is_float = shader_take(memory, nodes, sizeof(bool)),
+                                 .is_hoisted = shader_take(memory, nodes, sizeof(bool)),
+                                 .is_kept = shader_take(memory, nodes, sizeof(bool)),
+                                 .home_run = shader_take(memory, nodes, sizeof(uint32_t))};
     for (uint32_t value = 0; value < nodes; value++) {
-        plan->place[value] = SHADER_C_NONE;
+        plan->place[value] = SHADER_NONE;
     }
     count_uses(plan);
     find_structures(memory, plan);
     find_wide(memory, plan);
     for (uint32_t i = 0; i < form->code_count; i++) {
-        plan->has_cuts = plan->has_cuts || shader_c_is_cut(plan, i);
+        plan->has_cuts = plan->has_cuts || shader_is_cut(plan, i);
     }
     const uint32_t last_run = number_runs(plan, 0, form->code_count, 0);
     plan->first_home = shader_take(memory, last_run + 1, sizeof(uint32_t));

@@ -1,0 +1,479 @@
+// SPDX-License-Identifier: MIT
+// See calls.h.
+#include "calls.h"
+
+#include "rhw/isa.h"
+#include "rhw/shader_binding.h"
+#include "rhw/shader_spirv.h"
+
+RHW_ISA_DECLARE(shader_call_finder, shader_find_call);
+
+#if defined(__AVX2__)
+
+// Arithmetic -----------------------------------------------------------------------------------------
+
+#define UNARY(name, result, operand, function) \
+    static result call_##name(operand a)       \
+    {                                          \
+        return function(a);                    \
+    }
+#define BINARY(name, result, first, second, function) \
+    static result call_##name(first a, second b)      \
+    {                                                 \
+        return function(a, b);                        \
+    }
+UNARY(FLOAT_FROM_UINT, rhw_float, rhw_int, rhw_spirv_float_from_uint)
+UNARY(UINT_FROM_FLOAT, rhw_int, rhw_float, rhw_spirv_uint_from_float)
+UNARY(INT_FROM_FLOAT, rhw_int, rhw_float, rhw_int_from_float)
+UNARY(UNPACK_LOW_HALF, rhw_float, rhw_int, rhw_spirv_low_half)
+UNARY(UNPACK_HIGH_HALF, rhw_float, rhw_int, rhw_spirv_high_half)
+UNARY(BIT_REVERSE, rhw_int, rhw_int, rhw_bit_reverse)
+UNARY(BIT_COUNT, rhw_int, rhw_int, rhw_bit_count)
+UNARY(FIND_LOWEST, rhw_int, rhw_int, rhw_find_lsb)
+UNARY(FIND_HIGHEST, rhw_int, rhw_int, rhw_find_msb_uint)
+UNARY(SIN, rhw_float, rhw_float, rhw_sin)
+UNARY(COS, rhw_float, rhw_float, rhw_cos)
+UNARY(TAN, rhw_float, rhw_float, rhw_tan)
+UNARY(ASIN, rhw_float, rhw_float, rhw_asin)
+UNARY(ACOS, rhw_float, rhw_float, rhw_acos)
+UNARY(ATAN, rhw_float, rhw_float, rhw_atan)
+UNARY(SINH, rhw_float, rhw_float, rhw_sinh)
+UNARY(COSH, rhw_float, rhw_float, rhw_cosh)
+UNARY(TANH, rhw_float, rhw_float, rhw_tanh)
+UNARY(ASINH, rhw_float, rhw_float, rhw_asinh)
+UNARY(ACOSH, rhw_float, rhw_float, rhw_acosh)
+UNARY(ATANH, rhw_float, rhw_float, rhw_atanh)
+UNARY(EXP, rhw_float, rhw_float, rhw_exp)
+UNARY(LOG, rhw_float, rhw_float, rhw_log)
+UNARY(EXP2, rhw_float, rhw_float, rhw_exp2)
+UNARY(LOG2, rhw_float, rhw_float, rhw_log2)
+UNARY(RSQRT, rhw_float, rhw_float, rhw_rsqrt)
+UNARY(FREXP_FRACTION, rhw_float, rhw_float, rhw_spirv_fraction)
+UNARY(FREXP_EXPONENT, rhw_int, rhw_float, rhw_spirv_exponent)
+BINARY(PACK_HALVES, rhw_int, rhw_float, rhw_float, rhw_spirv_pack_halves)
+BINARY(IMUL_HIGH, rhw_int, rhw_int, rhw_int, rhw_spirv_mul_high)
+BINARY(UMUL_HIGH, rhw_int, rhw_int, rhw_int, rhw_spirv_mul_high_uint)
+BINARY(IDIV, rhw_int, rhw_int, rhw_int, rhw_divide_int)
+BINARY(UDIV, rhw_int, rhw_int, rhw_int, rhw_divide_uint)
+BINARY(IREM, rhw_int, rhw_int, rhw_int, rhw_remainder_int)
+BINARY(UREM, rhw_int, rhw_int, rhw_int, rhw_remainder_uint)
+BINARY(ATAN2, rhw_float, rhw_float, rhw_float, rhw_atan2)
+BINARY(POW, rhw_float, rhw_float, rhw_float, rhw_pow)
+BINARY(LDEXP, rhw_float, rhw_float, rhw_int, rhw_ldexp)
+BINARY(BALLOT, rhw_int, rhw_int, rhw_int, rhw_spirv_ballot)
+#undef UNARY
+#undef BINARY
+
+static rhw_int call_SHUFFLE(rhw_int value, rhw_int lane, rhw_int mask)
+{
+    return rhw_spirv_shuffle(value, lane, mask);
+}
+
+static rhw_int call_SCAN(uint32_t immediate, rhw_int value, rhw_int mask)
+{
+    return rhw_spirv_scan((enum rhw_spirv_scan)(immediate & 15),
+                          (enum rhw_spirv_reach)(immediate >> SHADER_SCAN_REACH_SHIFT & 3),
+                          1 << (immediate >> SHADER_SCAN_CLUSTER_SHIFT & 3), value, mask);
+}
+
+// Inputs ---------------------------------------------------------------------------------------------
+
+static rhw_float call_INPUT_BESIDE(const struct rhw_fragment *fragment, int component, int w)
+{
+    return rhw_spirv_partner(fragment, component, w, 0);
+}
+
+static rhw_float call_INPUT_BELOW(const struct rhw_fragment *fragment, int component, int w)
+{
+    return rhw_spirv_partner(fragment, component, w, 1);
+}
+
+static rhw_float call_INPUT_AT(const struct rhw_fragment *fragment, int component, int w, rhw_float x,
+                               rhw_float y)
+{
+    return rhw_spirv_input_at(fragment, component, w, x, y);
+}
+
+static rhw_float call_SAMPLE_X(const struct rhw_shader_frame *frame, rhw_int number)
+{
+    return rhw_spirv_sample_place(frame, number, 0);
+}
+
+static rhw_float call_SAMPLE_Y(const struct rhw_shader_frame *frame, rhw_int number)
+{
+    return rhw_spirv_sample_place(frame, number, 1);
+}
+
+// What all lanes name --------------------------------------------------------------------------------
+
+static int32_t call_PUSH_WORD(const struct rhw_shader_frame *frame, uint32_t index)
+{
+    return rhw_spirv_push_word(frame, index);
+}
+
+static rhw_int call_PUSH(const struct rhw_shader_frame *frame, rhw_int index)
+{
+    return rhw_spirv_push(frame, index);
+}
+
+static void take_words(struct shader_found *found)
+{
+    const struct rhw_spirv_words words = rhw_spirv_words_of(found->binding);
+    found->words = words.words;
+    found->count = words.count;
+}
+
+static void call_FIND_WORDS(const struct rhw_shader_frame *frame, const struct shader_site *site,
+                            uint32_t element, struct shader_found *found)
+{
+    found->binding =
+        rhw_spirv_element(frame, site->texture.set, site->texture.first, site->texture.count, element);
+    found->words = NULL;
+    found->count = 0;
+    if (site->flags != 0) {
+        take_words(found);
+    }
+}
+
+static void call_FIND_SHARED(void *shared, uint32_t size, struct shader_found_pair *found)
+{
+    (void)rhw_binding_of_memory(shared, size, false, &found->memory);
+    found->found.binding = &found->memory;
+    take_words(&found->found);
+}
+
+static void call_FIND_PAIR(const struct shader_found *texture, const struct shader_found *sampler,
+                           struct shader_found_pair *pair)
+{
+    pair->found.binding = rhw_spirv_pair(texture->binding, sampler->binding, &pair->memory);
+}
+
+// Bindings -------------------------------------------------------------------------------------------
+
+// The bindings that lanes name, one after the other.
+struct named {
+    const struct rhw_shader_frame *frame;
+    const struct shader_site *site;
+    const struct shader_found *one; // the binding of all lanes, or NULL
+    rhw_int texture, sampler;       // elements
+    rhw_int todo, lanes;
+    const struct rhw_binding *binding;
+    struct rhw_binding pair;
+};
+
+static struct named begin_named(const struct rhw_shader_frame *frame, const struct shader_site *site,
+                                const struct shader_found *one, rhw_int texture, rhw_int mask)
+{
+    return (struct named){.frame = frame, .site = site, .one = one, .texture = texture, .todo = mask};
+}
+
+// Find the next binding and the lanes that name it. Return false where all lanes had theirs.
+static bool next_binding(struct named *named)
+{
+    if (!rhw_any(named->todo)) {
+        return false;
+    }
+    if (named->one) {
+        named->lanes = named->todo;
+        named->todo = rhw_splat_int(0);
+        named->binding = named->one->binding;
+        return true;
+    }
+    const struct shader_site *const site = named->site;
+    const uint32_t element = (uint32_t)rhw_binding_next(named->texture, &named->todo, &named->lanes);
+    named->binding =
+        rhw_spirv_element(named->frame, site->texture.set, site->texture.first, site->texture.count, element);
+    if (site->sampler.count > 0) {
+        rhw_int same = named->lanes, rest = named->lanes;
+        const uint32_t other = (uint32_t)rhw_binding_next(named->sampler, &rest, &same);
+        named->todo |= rest;
+        named->lanes = same;
+        named->binding = rhw_spirv_pair(named->binding,
+                                        rhw_spirv_element(named->frame, site->sampler.set,
+                                                          site->sampler.first, site->sampler.count, other),
+                                        &named->pair);
+    }
+    return true;
+}
+
+static rhw_int call_LOAD(const struct rhw_shader_frame *frame, const struct shader_site *site,
+                         const struct shader_found *one, rhw_int element, rhw_int index, rhw_int mask)
+{
+    rhw_int value = rhw_splat_int(0);
+    for (struct named n = begin_named(frame, site, one, element, mask); next_binding(&n);) {
+        value |= rhw_spirv_load(rhw_spirv_words_of(n.binding), index, n.lanes);
+    }
+    return value;
+}
+
+static rhw_int call_LOAD_WORDS(const struct shader_found *found, rhw_int index, rhw_int mask)
+{
+    const struct rhw_spirv_words words = {found->words, (uint32_t)found->count};
+    return rhw_spirv_load(words, index, mask);
+}
+
+static rhw_int call_GATHER(const struct shader_found *found, rhw_int index)
+{
+    const struct rhw_spirv_words words = {found->words, (uint32_t)found->count};
+    return rhw_spirv_gather(words, index);
+}
+
+static void call_STORE(const struct rhw_shader_frame *frame, const struct shader_site *site,
+                       const struct shader_found *one, rhw_int element, rhw_int index, rhw_int value,
+                       rhw_int mask)
+{
+    for (struct named n = begin_named(frame, site, one, element, mask); next_binding(&n);) {
+        rhw_binding_storage_store(n.binding, index, value, n.lanes);
+    }
+}
+
+static void call_STORE8(const struct rhw_shader_frame *frame, const struct shader_site *site,
+                        const struct shader_found *one, rhw_int element, rhw_int offset, rhw_int value,
+                        rhw_int mask)
+{
+    for (struct named n = begin_named(frame, site, one, element, mask); next_binding(&n);) {
+        rhw_spirv_store_part(n.binding, offset, site->flags, value, (int)site->width, n.lanes);
+    }
+}
+
+static void call_SHARE(void *shared, uint32_t size, rhw_int index, rhw_int value, rhw_int mask)
+{
+    rhw_spirv_share(shared, size, index, value, mask);
+}
+
+static rhw_int call_LENGTH(const struct rhw_shader_frame *frame, const struct shader_site *site,
+                           const struct shader_found *one, rhw_int element, rhw_int mask)
+{
+    rhw_int bytes = rhw_splat_int(0);
+    for (struct named n = begin_named(frame, site, one, element, mask); next_binding(&n);) {
+        bytes |= rhw_splat_int(rhw_spirv_bytes(rhw_spirv_words_of(n.binding))) & n.lanes;
+    }
+    return bytes;
+}
+
+static enum rhw_storage_operation operation_of(uint32_t atomic)
+{
+    static const enum rhw_storage_operation operations[] = {
+        [SHADER_ATOMIC_LOAD] = RHW_STORAGE_LOAD,
+        [SHADER_ATOMIC_STORE] = RHW_STORAGE_STORE,
+        [SHADER_ATOMIC_EXCHANGE] = RHW_STORAGE_EXCHANGE,
+        [SHADER_ATOMIC_COMPARE_EXCHANGE] = RHW_STORAGE_COMPARE_EXCHANGE,
+        [SHADER_ATOMIC_ADD] = RHW_STORAGE_ADD,
+        [SHADER_ATOMIC_MIN_INT] = RHW_STORAGE_MIN,
+        [SHADER_ATOMIC_MAX_INT] = RHW_STORAGE_MAX,
+        [SHADER_ATOMIC_MIN_UINT] = RHW_STORAGE_MIN_UNSIGNED,
+        [SHADER_ATOMIC_MAX_UINT] = RHW_STORAGE_MAX_UNSIGNED,
+        [SHADER_ATOMIC_AND] = RHW_STORAGE_AND,
+        [SHADER_ATOMIC_OR] = RHW_STORAGE_OR,
+        [SHADER_ATOMIC_XOR] = RHW_STORAGE_XOR,
+    };
+    return operations[atomic];
+}
+
+static rhw_int call_ATOMIC(const struct rhw_shader_frame *frame, const struct shader_site *site,
+                           const struct shader_found *one, rhw_int element, rhw_int index, rhw_int value,
+                           rhw_int comparand, rhw_int mask)
+{
+    rhw_int before = rhw_splat_int(0);
+    for (struct named n = begin_named(frame, site, one, element, mask); next_binding(&n);) {
+        before |= rhw_spirv_atomic(n.binding, operation_of(site->flags), index, value, comparand, n.lanes);
+    }
+    return before;
+}
+
+static rhw_int call_IMAGE_ATOMIC(const struct rhw_shader_frame *frame, const struct shader_site *site,
+                                 const struct shader_found *one, rhw_int element, rhw_int x, rhw_int y,
+                                 rhw_int z, rhw_int value, rhw_int comparand, rhw_int mask)
+{
+    const rhw_int at[4] = {x, y, z};
+    rhw_int before = rhw_splat_int(0);
+    for (struct named n = begin_named(frame, site, one, element, mask); next_binding(&n);) {
+        before |= rhw_spirv_image_atomic(n.binding, operation_of(site->flags), at, value, comparand, n.lanes);
+    }
+    return before;
+}
+
+// Memory of the lanes and constants ------------------------------------------------------------------
+
+static rhw_int call_OWN(const rhw_int *own, uint32_t count, rhw_int index)
+{
+    return rhw_spirv_own(own, count, index);
+}
+
+static void call_OWN_STORE(rhw_int *own, uint32_t count, rhw_int index, rhw_int value, rhw_int mask)
+{
+    rhw_spirv_own_store(own, count, index, value, mask);
+}
+
+static rhw_int call_TABLE(const int32_t *table, uint32_t count, rhw_int index)
+{
+    return rhw_spirv_table(table, count, index);
+}
+
+// Images ---------------------------------------------------------------------------------------------
+
+static struct rhw_sample_request request_of(const struct shader_request *r, uint32_t flags)
+{
+    return (struct rhw_sample_request){
+        .coordinates = r->at.f,
+        .gradient = flags & SHADER_IMAGE_HAS_GRADIENT ? r->gradient : NULL,
+        .lod = flags & SHADER_IMAGE_HAS_LOD ? &r->lod.f : NULL,
+        .reference = flags & SHADER_IMAGE_HAS_REFERENCE ? &r->reference : NULL,
+        .offset = flags & SHADER_IMAGE_HAS_OFFSET ? r->offset : NULL,
+        .bias = flags & SHADER_IMAGE_HAS_BIAS ? &r->bias : NULL,
+    };
+}
+
+static void sample_one(const struct rhw_binding *binding, uint32_t flags, const struct shader_request *r,
+                       rhw_float texel[4])
+{
+    const int channel = (int)(flags >> SHADER_IMAGE_CHANNEL_SHIFT & 3);
+    const rhw_int *const lod = flags & SHADER_IMAGE_HAS_LOD ? &r->lod.i : NULL;
+    const struct rhw_sample_request request = request_of(r, flags);
+    switch ((enum shader_image_operation)(flags & 15)) {
+    case SHADER_DO_SAMPLE:
+        if (flags & SHADER_IMAGE_HAS_LEAST_LOD) {
+            rhw_spirv_sample_above(binding, &request, r->least, texel);
+        } else {
+            rhw_binding_sample(binding, &request, texel);
+        }
+        return;
+    case SHADER_DO_GATHER: rhw_binding_sample_gather(binding, &request, channel, texel); return;
+    case SHADER_DO_QUERY_LOD: rhw_binding_sample_query_lod(binding, &request, texel); return;
+    case SHADER_DO_FETCH:
+        if (flags & SHADER_IMAGE_HAS_SAMPLE) {
+            rhw_binding_sample_fetch_sample(binding, r->at.i, &r->sample, texel);
+        } else {
+            rhw_binding_sample_fetch(binding, r->at.i, lod, texel);
+        }
+        return;
+    case SHADER_DO_LOAD: rhw_binding_image_load(binding, r->at.i, texel); return;
+    case SHADER_DO_SIZE: rhw_spirv_size(binding, lod, texel); return;
+    case SHADER_DO_IMAGE_SIZE: rhw_spirv_image_size(binding, texel); return;
+    case SHADER_DO_LEVELS: texel[0] = rhw_spirv_count(rhw_binding_sample_levels(binding)); return;
+    case SHADER_DO_SAMPLES: texel[0] = rhw_spirv_count(rhw_binding_sample_samples(binding)); return;
+    }
+}
+
+static void call_SAMPLE(const struct rhw_shader_frame *frame, const struct shader_site *site,
+                        const struct shader_found *one, struct shader_request *r, rhw_float texel[4])
+{
+    if (one) {
+        sample_one(one->binding, site->flags, r, texel);
+        return;
+    }
+    rhw_float some[4] = {rhw_splat(0.0f), rhw_splat(0.0f), rhw_splat(0.0f), rhw_splat(0.0f)};
+    for (int c = 0; c < 4; c++) {
+        texel[c] = rhw_splat(0.0f);
+    }
+    struct named n = begin_named(frame, site, one, r->texture, r->mask);
+    n.sampler = r->sampler;
+    while (next_binding(&n)) {
+        sample_one(n.binding, site->flags, r, some);
+        rhw_spirv_take(n.lanes, some, texel);
+    }
+}
+
+static void call_IMAGE_STORE(const struct rhw_shader_frame *frame, const struct shader_site *site,
+                             const struct shader_found *one, struct shader_request *r)
+{
+    for (struct named n = begin_named(frame, site, one, r->texture, r->mask); next_binding(&n);) {
+        rhw_binding_image_store(n.binding, r->at.i, &n.lanes, r->texel);
+    }
+}
+
+// Loops ----------------------------------------------------------------------------------------------
+
+static int call_GIVEN_UP(const struct rhw_bindings *bindings)
+{
+    return rhw_work_is_given_up(bindings);
+}
+
+#define ENTRY(name) [SHADER_##name] = (shader_call_function *)call_##name
+#define MORE(name)  [SHADER_CALL_##name] = (shader_call_function *)call_##name
+static shader_call_function *const functions[SHADER_CALLS] = {
+    ENTRY(FLOAT_FROM_UINT),
+    ENTRY(UINT_FROM_FLOAT),
+    ENTRY(INT_FROM_FLOAT),
+    ENTRY(UNPACK_LOW_HALF),
+    ENTRY(UNPACK_HIGH_HALF),
+    ENTRY(BIT_REVERSE),
+    ENTRY(BIT_COUNT),
+    ENTRY(FIND_LOWEST),
+    ENTRY(FIND_HIGHEST),
+    ENTRY(SIN),
+    ENTRY(COS),
+    ENTRY(TAN),
+    ENTRY(ASIN),
+    ENTRY(ACOS),
+    ENTRY(ATAN),
+    ENTRY(SINH),
+    ENTRY(COSH),
+    ENTRY(TANH),
+    ENTRY(ASINH),
+    ENTRY(ACOSH),
+    ENTRY(ATANH),
+    ENTRY(EXP),
+    ENTRY(LOG),
+    ENTRY(EXP2),
+    ENTRY(LOG2),
+    ENTRY(RSQRT),
+    ENTRY(FREXP_FRACTION),
+    ENTRY(FREXP_EXPONENT),
+    ENTRY(PACK_HALVES),
+    ENTRY(IMUL_HIGH),
+    ENTRY(UMUL_HIGH),
+    ENTRY(IDIV),
+    ENTRY(UDIV),
+    ENTRY(IREM),
+    ENTRY(UREM),
+    ENTRY(ATAN2),
+    ENTRY(POW),
+    ENTRY(LDEXP),
+    ENTRY(BALLOT),
+    ENTRY(SHUFFLE),
+    ENTRY(SCAN),
+    ENTRY(INPUT_BESIDE),
+    ENTRY(INPUT_BELOW),
+    ENTRY(INPUT_AT),
+    ENTRY(SAMPLE_X),
+    ENTRY(SAMPLE_Y),
+    ENTRY(LOAD),
+    ENTRY(STORE),
+    ENTRY(STORE8),
+    [SHADER_STORE16] = (shader_call_function *)call_STORE8,
+    ENTRY(LENGTH),
+    ENTRY(ATOMIC),
+    ENTRY(IMAGE_ATOMIC),
+    ENTRY(TABLE),
+    ENTRY(SAMPLE),
+    ENTRY(IMAGE_STORE),
+    MORE(PUSH_WORD),
+    MORE(PUSH),
+    MORE(FIND_WORDS),
+    MORE(FIND_SHARED),
+    MORE(FIND_PAIR),
+    MORE(GATHER),
+    MORE(LOAD_WORDS),
+    MORE(SHARE),
+    MORE(OWN),
+    MORE(OWN_STORE),
+    MORE(GIVEN_UP),
+};
+#undef ENTRY
+#undef MORE
+
+shader_call_function *RHW_ISA_NAME(shader_find_call)(unsigned which)
+{
+    return which < SHADER_CALLS ? functions[which] : NULL;
+}
+
+#else
+
+shader_call_function *RHW_ISA_NAME(shader_find_call)(unsigned which)
+{
+    (void)which;
+    return NULL;
+}
+
+#endif

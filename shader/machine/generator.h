@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: MIT
+// One stage while its code is generated, and what the files of the generator share.
+//
+// Code runs through the groups of a call, one after the other. Vector registers cache values; each value has a home, 32
+// bytes of the stack frame or where the library put it. Integer registers:
+//     rbx  the group, a struct rhw_vertex, rhw_fragment or rhw_invocations
+//     r12  its inputs: attributes or varyings        r13  its outputs: varyings or colours
+//     r14  struct rhw_workgroup                       r15  the group's record: what goes from run to run
+//     rsp  struct shader_machine_frame, and homes behind it       rbp  the frame of the caller
+#ifndef SHADER_GENERATOR_H
+#define SHADER_GENERATOR_H
+
+#include "calls.h"
+#include "encoder.h"
+#include "form/plan.h"
+#include "linked_stage.h"
+
+enum { VECTOR = 32, REGISTERS = 16, NO_COMPONENT = 0xff };
+
+// What lies at rsp.
+struct shader_machine_frame {
+    const struct rhw_shader_frame *bound;
+    unsigned char *groups, *records; // first of the groups that go through the code together
+    uint64_t record_size;
+    uint32_t count;      // groups of the call that are left
+    uint32_t here, left; // groups that go through the code together, and those of a run that are left
+    uint32_t rounds;     // rounds of loops until now
+    uint32_t number;     // what a call receives
+    rhw_int any;         // lanes that a loop over groups found
+    struct shader_request request;
+};
+
+// What home a value has.
+enum shader_home_kind {
+    SHADER_HOMELESS, // it gets one when it needs it
+    SHADER_IN_FRAME,
+    SHADER_IN_RECORD,
+    SHADER_IN_GROUP,
+    SHADER_IN_INPUTS,
+    SHADER_IN_POOL // a constant
+};
+
+struct shader_machine_value {
+    int8_t reg;        // the register that has it, or −1
+    uint8_t home;      // enum shader_home_kind
+    bool is_stored;    // the home has what the register has
+    bool is_kept;      // its home lies in the record
+    uint32_t offset;   // place of the home
+    uint32_t end;      // the last place that may read it; UINT32_MAX: some place of the next run or group
+    uint32_t use;      // entry of its uses that comes next
+    uint32_t next_end; // the next value with this end, counted from 1
+};
+
+// Homes in the frame that nobody has.
+struct shader_free_list {
+    uint32_t *offsets;
+    size_t room, count;
+};
+
+// A place that jumps go to: what all that come there have in registers.
+struct shader_edge {
+    uint32_t label;
+    bool is_used;
+    uint32_t holds[REGISTERS];
+};
+
+struct shader_generator {
+    struct shader_memory *memory;
+    struct shader_encoder code;
+    const struct shader_machine_stage *stage;
+    enum rhw_shader_stage kind;
+    const struct shader_program *form;
+    struct shader_plan plan;
+    // Values: the nodes, and behind them masks.
+    struct shader_machine_value *values;
+    size_t value_room;
+    uint32_t value_count;
+    uint32_t *first_use, *uses;            // by node: where its uses begin; places
+    uint32_t *first_end;                   // by place: the first value that ends there, counted from 1
+    uint32_t holds[REGISTERS];             // values; SHADER_NONE: none
+    uint32_t allowed, locked;              // sets of registers
+    uint32_t place;                        // where the node stands whose code is written
+    bool is_once;                          // code that runs once a call is written
+    struct shader_free_list homes, blocks; // homes of one vector, and of 4
+    uint32_t frame_size, record_size;      // bytes
+    uint32_t own;                          // offset of the lanes' memory, in the frame or record
+    // Structure
+    uint32_t mask, alive;          // values: active lanes, and those that have not left
+    uint32_t block_mask;           // the mask with which the block began
+    uint32_t run_mask;             // the mask with which the run began
+    uint32_t divergence;           // structures around this place whose lanes go different ways
+    uint32_t loop_depth;           // loops of the run around this place
+    bool is_dead;                  // no lane comes to this place
+    bool is_gone;                  // code does not come to this place
+    bool is_run_open;              // this place is in a loop over groups
+    uint32_t group_loop;           // label where a loop over groups goes back to
+    uint32_t exit;                 // label of the end of the function
+    struct shader_edge *group_end; // where the code of a group ends
+    struct shader_edge **ends;     // by place of structure: where it ends
+    uint32_t *left; // by place of structure: the lanes that have left, or those that were alive before
+    struct shader_machine_pair *pairs; // textures and samplers that are put together once a call
+    size_t pair_room;
+    uint32_t pair_count;
+};
+
+struct shader_machine_pair {
+    uint32_t texture, sampler, offset;
+};
+
+// registers.c --------------------------------------------------------------------------------------
+
+void shader_registers_init(struct shader_generator *g);
+uint32_t shader_new_value(struct shader_generator *g);
+// A mask is not needed any more.
+void shader_drop_value(struct shader_generator *g, uint32_t value);
+// Take bytes of the frame or of the record for good. Return the offset.
+uint32_t shader_take_frame(struct shader_generator *g, uint32_t size);
+uint32_t shader_take_record(struct shader_generator *g, uint32_t size);
+// Give a SAMPLE its home of 4 vectors.
+void shader_take_block(struct shader_generator *g, uint32_t value);
+struct x86_operand shader_home_of(struct shader_generator *g, uint32_t value);
+// A register, locked until shader_unlock, that has nothing in it.
+int shader_temporary(struct shader_generator *g);
+// A register that has the value, locked until shader_unlock.
+int shader_in_register(struct shader_generator *g, uint32_t value);
+// The value in a register or at its home.
+struct x86_operand shader_anywhere(struct shader_generator *g, uint32_t value);
+// Nobody reads the operands of this node any more that end with it: their registers are free for its result.
+void shader_end_operands(struct shader_generator *g);
+// A register for what a node gives.
+int shader_result(struct shader_generator *g, uint32_t value);
+// A register has a value from now on.
+void shader_assign(struct shader_generator *g, uint32_t value, int reg);
+void shader_unlock(struct shader_generator *g);
+// The node at the place is done: values that end here are gone.
+void shader_end_place(struct shader_generator *g);
+// Write to their homes what lives at a place or behind, and is in registers alone.
+void shader_flush(struct shader_generator *g, uint32_t place);
+void shader_forget_registers(struct shader_generator *g);
+struct shader_edge *shader_new_edge(struct shader_generator *g);
+void shader_edge_jump(struct shader_generator *g, struct shader_edge *edge, uint32_t place);
+void shader_edge_jump_if(struct shader_generator *g, enum x86_condition condition, struct shader_edge *edge,
+                         uint32_t place);
+// Code goes on here from all that jump to the edge, and from before unless that is dead.
+void shader_edge_place(struct shader_generator *g, struct shader_edge *edge, uint32_t place, bool is_dead);
+// A loop begins or goes back to its begin. It ends at a place.
+void shader_loop_begin(struct shader_generator *g, struct shader_edge *edge, uint32_t end);
+void shader_loop_again(struct shader_generator *g, struct shader_edge *edge);
+
+// select.c -------------------------------------------------------------------------------------------
+
+static inline void shader_put(struct shader_generator *g, unsigned instruction, int reg, int source,
+                              struct x86_operand rm)
+{
+    shader_encode(&g->code, instruction, reg, source, rm, 0);
+}
+
+// Write arithmetic. Return false where the node is something else.
+bool shader_select_arithmetic(struct shader_generator *g, uint32_t value);
+
+// machine.c: the function that an operation calls, an enum shader_op or shader_call. NULL: there is none.
+shader_call_function *shader_machine_function(unsigned which);
+
+// invoke.c -------------------------------------------------------------------------------------------
+
+// What an integer register receives.
+struct shader_argument {
+    enum {
+        SHADER_BY_NUMBER,
+        SHADER_BY_ADDRESS,
+        SHADER_BY_WORD,
+        SHADER_BY_POINTER
+    } kind; // what an operand is or has
+    uint64_t number;
+    struct x86_operand at;
+};
+
+enum { SHADER_MAX_ARGUMENTS = 6, SHADER_MAX_VECTORS = 7 };
+
+struct shader_invocation {
+    unsigned which; // enum shader_op or shader_call
+    int argument_count, vector_count;
+    struct shader_argument arguments[SHADER_MAX_ARGUMENTS];
+    uint32_t vectors[SHADER_MAX_VECTORS]; // values
+    uint32_t result;                      // SHADER_NONE: none, or it is in eax
+};
+
+void shader_invoke(struct shader_generator *g, const struct shader_invocation *invocation);
+struct shader_argument shader_number_argument(uint64_t number);
+struct shader_argument shader_address_argument(struct x86_operand at);
+struct shader_argument shader_pointer_argument(struct x86_operand at);
+struct shader_argument shader_bound_argument(void);
+
+// memory.c, image.c ----------------------------------------------------------------------------------
+
+bool shader_select_input(struct shader_generator *g, uint32_t value);
+bool shader_select_memory(struct shader_generator *g, uint32_t value);
+bool shader_select_image(struct shader_generator *g, uint32_t value);
+uint32_t shader_resource_of(const struct shader_generator *g, uint32_t value);
+bool shader_is_one(const struct shader_generator *g, uint32_t buffer);
+// The binding that all lanes name, as an argument, or NULL.
+struct shader_argument shader_found_argument(struct shader_generator *g, uint32_t buffer);
+struct shader_argument shader_site_argument(struct shader_generator *g, uint32_t texture, uint32_t sampler,
+                                            uint32_t flags, uint32_t width);
+uint32_t shader_element_of(const struct shader_generator *g, uint32_t buffer);
+// Put textures and samplers together, once a call.
+void shader_pair_once(struct shader_generator *g);
+
+// flow.c ---------------------------------------------------------------------------------------------
+
+static inline enum shader_op shader_op_at(const struct shader_generator *g, uint32_t place)
+{
+    return (enum shader_op)g->form->nodes[g->form->code[place]].op;
+}
+
+static inline bool shader_opens(enum shader_op op)
+{
+    return op == SHADER_IF || op == SHADER_REGION || op == SHADER_LOOP;
+}
+
+void shader_generate_node(struct shader_generator *g, uint32_t place);
+// Write one item of a run, a node or narrow structure. Return the place behind it.
+uint32_t shader_generate_item(struct shader_generator *g, uint32_t place);
+// Where a loop has gone round often, leave the function if the work is given up.
+void shader_generate_giving_up(struct shader_generator *g, const struct shader_edge *edge);
+// Set flags by a truth that all lanes of the call share: zero where it is false.
+void shader_test_alike(struct shader_generator *g, uint32_t truth);
+
+// wide.c ---------------------------------------------------------------------------------------------
+
+// Write the whole code, loops over groups with it.
+void shader_generate_code(struct shader_generator *g);
+
+// stage.c --------------------------------------------------------------------------------------------
+
+// Begin and end a loop over the groups that go through the code together.
+void shader_open_groups(struct shader_generator *g);
+void shader_close_groups(struct shader_generator *g);
+// Return where the mask of a group lies in it.
+int32_t shader_mask_offset(const struct shader_generator *g);
+// Set the memory of the lanes of a group to 0.
+void shader_clear_own(struct shader_generator *g);
+
+struct shader_generated {
+    struct shader_encoder code;
+    size_t entry; // where the function begins
+};
+
+// Generate the code of a stage, by the first so many registers, at most 16. Return false where it needs more of the
+// stack than it may take.
+bool shader_generate(struct shader_memory *memory, const struct shader_machine_stage *stage,
+                     enum rhw_shader_stage kind, int registers, bool has_records,
+                     struct shader_generated *made);
+
+// A member of struct shader_machine_frame as an operand.
+#define SHADER_FRAME(member) x86_at(X86_RSP, (int32_t)offsetof(struct shader_machine_frame, member))
+
+#endif

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: MIT
+// Images: operands are stored into a request, and a call does what is asked.
+#include "generator.h"
+
+static uint32_t sampler_of(const struct shader_generator *g, const struct shader_node *node,
+                           const uint32_t *operands)
+{
+    return node->immediate & SHADER_IMAGE_HAS_SAMPLER ? shader_resource_of(g, operands[SHADER_IMAGE_SAMPLER])
+                                                      : SHADER_NONE;
+}
+
+static bool is_one_image(const struct shader_generator *g, uint32_t texture, uint32_t sampler)
+{
+    return shader_is_one(g, texture) && (sampler == SHADER_NONE || shader_is_one(g, sampler));
+}
+
+// Pairs ----------------------------------------------------------------------------------------------
+
+static struct shader_machine_pair *find_pair(const struct shader_generator *g, uint32_t texture,
+                                             uint32_t sampler)
+{
+    for (uint32_t i = 0; i < g->pair_count; i++) {
+        if (g->pairs[i].texture == texture && g->pairs[i].sampler == sampler) {
+            return &g->pairs[i];
+        }
+    }
+    return NULL;
+}
+
+static void put_together(struct shader_generator *g, uint32_t texture, uint32_t sampler)
+{
+    if (g->pair_count == g->pair_room) {
+        g->pairs = shader_grow(g->memory, g->pairs, &g->pair_room, sizeof *g->pairs);
+    }
+    const uint32_t offset = shader_take_frame(g, sizeof(struct shader_found_pair));
+    g->pairs[g->pair_count++] = (struct shader_machine_pair){texture, sampler, offset};
+    const struct shader_invocation call = {
+        .which = SHADER_CALL_FIND_PAIR,
+        .argument_count = 3,
+        .arguments = {shader_found_argument(g, texture), shader_found_argument(g, sampler),
+                      shader_address_argument(x86_at(X86_RSP, (int32_t)offset))},
+        .result = SHADER_NONE};
+    shader_invoke(g, &call);
+}
+
+void shader_pair_once(struct shader_generator *g)
+{
+    for (uint32_t i = 0; i < g->form->code_count; i++) {
+        struct shader_node *const node = &g->form->nodes[g->form->code[i]];
+        if (node->op != SHADER_SAMPLE && node->op != SHADER_IMAGE_STORE) {
+            continue;
+        }
+        uint32_t count;
+        const uint32_t *const operands = shader_operands(g->form, node, &count);
+        const uint32_t texture = shader_resource_of(g, operands[SHADER_IMAGE_TEXTURE]),
+                       sampler = sampler_of(g, node, operands);
+        if (sampler != SHADER_NONE && is_one_image(g, texture, sampler) && !find_pair(g, texture, sampler)) {
+            put_together(g, texture, sampler);
+        }
+    }
+}
+
+// Requests -------------------------------------------------------------------------------------------
+
+static void put_operand(struct shader_generator *g, uint32_t value, size_t offset)
+{
+    const int reg = shader_in_register(g, value);
+    shader_put(g, X86_VMOVUPS_STORE, reg, 0,
+               x86_at(X86_RSP, (int32_t)(offsetof(struct shader_machine_frame, request) + offset)));
+    shader_unlock(g);
+}
+
+// Store operands behind one another, and zeros behind them.
+static void put_operands(struct shader_generator *g, const uint32_t *values, uint32_t count, uint32_t all,
+                         size_t offset)
+{
+    for (uint32_t i = 0; i < count; i++) {
+        put_operand(g, values[i], offset + VECTOR * i);
+    }
+    for (uint32_t i = count; i < all; i++) {
+        const int zero = shader_temporary(g);
+        shader_put(g, X86_VXORPS, zero, zero, x86_reg(zero));
+        shader_put(
+            g, X86_VMOVUPS_STORE, zero, 0,
+            x86_at(X86_RSP, (int32_t)(offsetof(struct shader_machine_frame, request) + offset + VECTOR * i)));
+        shader_unlock(g);
+    }
+}
+
+static void put_request(struct shader_generator *g, const uint32_t *operands, uint32_t flags)
+{
+    static const struct {
+        uint32_t flag, operand;
+        size_t offset;
+    } singles[] = {
+        {SHADER_IMAGE_HAS_LOD, SHADER_IMAGE_LOD, offsetof(struct shader_request, lod)},
+        {SHADER_IMAGE_HAS_REFERENCE, SHADER_IMAGE_REFERENCE, offsetof(struct shader_request, reference)},
+        {SHADER_IMAGE_HAS_BIAS, SHADER_IMAGE_BIAS, offsetof(struct shader_request, bias)},
+        {SHADER_IMAGE_HAS_LEAST_LOD, SHADER_IMAGE_LEAST_LOD, offsetof(struct shader_request, least)},
+        {SHADER_IMAGE_HAS_SAMPLE, SHADER_IMAGE_SAMPLE, offsetof(struct shader_request, sample)},
+    };
+    const uint32_t spatial = flags >> SHADER_IMAGE_SPATIAL_SHIFT & 3;
+    const uint32_t count = spatial + (flags & SHADER_IMAGE_IS_ARRAYED ? 1 : 0);
+    put_operands(g, &operands[SHADER_IMAGE_COORDINATES], count < 4 ? count : 4, 4,
+                 offsetof(struct shader_request, at));
+    if (flags & SHADER_IMAGE_HAS_GRADIENT) {
+        put_operands(g, &operands[SHADER_IMAGE_DX], spatial, spatial,
+                     offsetof(struct shader_request, gradient));
+        put_operands(g, &operands[SHADER_IMAGE_DY], spatial, 6 - spatial,
+                     offsetof(struct shader_request, gradient) + VECTOR * spatial);
+    }
+    if (flags & SHADER_IMAGE_HAS_OFFSET) {
+        put_operands(g, &operands[SHADER_IMAGE_OFFSET], spatial, 3, offsetof(struct shader_request, offset));
+    }
+    for (size_t i = 0; i < sizeof singles / sizeof *singles; i++) {
+        if (flags & singles[i].flag) {
+            put_operand(g, operands[singles[i].operand], singles[i].offset);
+        }
+    }
+}
+
+// What lanes name, where they do not all name the same.
+static void put_named(struct shader_generator *g, uint32_t texture, uint32_t sampler)
+{
+    put_operand(g, shader_element_of(g, texture), offsetof(struct shader_request, texture));
+    if (sampler != SHADER_NONE) {
+        put_operand(g, shader_element_of(g, sampler), offsetof(struct shader_request, sampler));
+    }
+}
+
+static void invoke_image(struct shader_generator *g, uint32_t value, bool is_store)
+{
+    struct shader_node *const node = &g->form->nodes[value];
+    uint32_t count;
+    const uint32_t *const operands = shader_operands(g->form, node, &count);
+    const uint32_t texture = shader_resource_of(g, operands[SHADER_IMAGE_TEXTURE]),
+                   sampler = sampler_of(g, node, operands);
+    const bool is_one = is_one_image(g, texture, sampler);
+    put_request(g, operands, node->immediate);
+    if (is_store) {
+        put_operands(g, &operands[SHADER_IMAGE_TEXEL], 4, 4, offsetof(struct shader_request, texel));
+    }
+    if (!is_one) {
+        put_named(g, texture, sampler);
+    }
+    if (!is_one || is_store) {
+        put_operand(g, g->mask, offsetof(struct shader_request, mask));
+    }
+    struct shader_invocation call = {.which = node->op, .argument_count = 4, .result = SHADER_NONE};
+    call.arguments[0] = shader_bound_argument();
+    call.arguments[1] = shader_site_argument(g, texture, sampler, node->immediate, 0);
+    call.arguments[2] =
+        !is_one ? shader_number_argument(0)
+        : sampler == SHADER_NONE
+            ? shader_found_argument(g, texture)
+            : shader_address_argument(x86_at(X86_RSP, (int32_t)find_pair(g, texture, sampler)->offset));
+    call.arguments[3] = shader_address_argument(SHADER_FRAME(request));
+    if (!is_store) {
+        shader_take_block(g, value);
+        call.arguments[call.argument_count++] = shader_address_argument(shader_home_of(g, value));
+    }
+    shader_invoke(g, &call);
+}
+
+// A part lies where the whole does.
+static void place_part(struct shader_generator *g, uint32_t value)
+{
+    const struct shader_node *const node = &g->form->nodes[value];
+    const struct shader_machine_value *const whole = &g->values[node->operands[0]];
+    struct shader_machine_value *const v = &g->values[value];
+    if (v->is_kept && !whole->is_kept) {
+        struct x86_operand at = shader_home_of(g, node->operands[0]);
+        at.offset += (int32_t)(VECTOR * node->immediate);
+        shader_put(g, X86_VMOVUPS, shader_result(g, value), 0, at);
+        return;
+    }
+    v->home = whole->home;
+    v->offset = whole->offset + VECTOR * node->immediate;
+    v->is_stored = true;
+}
+
+bool shader_select_image(struct shader_generator *g, uint32_t value)
+{
+    switch ((enum shader_op)g->form->nodes[value].op) {
+    case SHADER_SAMPLE: invoke_image(g, value, false); return true;
+    case SHADER_PART: place_part(g, value); return true;
+    case SHADER_IMAGE_STORE: invoke_image(g, value, true); return true;
+    default: return false;
+    }
+}

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+// See machine.h.
+#include "machine.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "calls.h"
+#include "code_memory.h"
+#include "generator.h"
+#include "print_code.h"
+#include "rhw/isa.h"
+
+enum { FEWEST_REGISTERS = 6 };
+
+RHW_ISA_DECLARE(shader_call_finder, shader_find_call);
+
+// Generated code follows the calling convention of the System V ABI.
+#if defined(__x86_64__) && !defined(__ILP32__) && !defined(_WIN32)
+
+static const bool has_convention = true;
+
+shader_call_function *shader_machine_function(unsigned which)
+{
+    return shader_find_call_avx2(which);
+}
+
+#else
+
+static const bool has_convention = false;
+
+shader_call_function *shader_machine_function(unsigned which)
+{
+    (void)which;
+    return NULL;
+}
+
+#endif
+
+// Return how many registers code may use: RHW_JIT may ask for fewer, to test what happens when they do not suffice.
+static int registers_to_use(void)
+{
+    const char *const text = getenv("RHW_JIT");
+    const int asked = text ? atoi(text) : REGISTERS;
+    return asked >= FEWEST_REGISTERS && asked < REGISTERS ? asked : REGISTERS;
+}
+
+bool shader_machine_make(const struct shader_machine_stage *stage, enum rhw_shader_stage kind,
+                         struct shader_machine_block *block)
+{
+    static const char *const names[RHW_SHADER_STAGE_COUNT] = {"vertex", "fragment", "compute"};
+    *block = (struct shader_machine_block){.code = NULL};
+    if (!has_convention || !shader_code_is_wanted()) {
+        return false;
+    }
+    struct shader_memory memory;
+    shader_memory_init(&memory, RHW_SHADER_MAX_MEMORY);
+    if (setjmp(memory.end) == 0) {
+        struct shader_generated made;
+        if (shader_generate(&memory, stage, kind, registers_to_use(), false, &made)) {
+            block->code = shader_code_map(made.code.bytes, made.code.size);
+            block->size = made.code.size;
+            block->entry = made.entry;
+        }
+    }
+    shader_memory_free(&memory);
+    if (block->code) {
+        (void)shader_code_name(block->code, block->size, names[kind]);
+    }
+    return block->code != NULL;
+}
+
+void shader_machine_free(struct shader_machine_block *block)
+{
+    if (block->code) {
+        shader_code_unmap(block->code, block->size);
+    }
+}
+
+bool shader_machine_print(const struct shader_sink *sink, struct shader_memory *memory,
+                          const struct shader_machine_stage *stage, enum rhw_shader_stage kind)
+{
+    struct shader_generated made;
+    if (!shader_generate(memory, stage, kind, registers_to_use(), true, &made)) {
+        return false;
+    }
+    shader_print_code(sink, stage->form, &made.code);
+    return true;
+}

@@ -1,0 +1,452 @@
+// SPDX-License-Identifier: MIT
+// Buffers, push constants, memory of the lanes and of the workgroup, tables, atomics. A load outside of memory gives 0,
+// and a store there does nothing.
+#include "generator.h"
+
+// Bindings -------------------------------------------------------------------------------------------
+
+uint32_t shader_resource_of(const struct shader_generator *g, uint32_t value)
+{
+    const struct shader_node *const node = &g->form->nodes[value];
+    return node->op == SHADER_HOME && g->plan.is_hoisted[node->operands[0]] ? node->operands[0] : value;
+}
+
+bool shader_is_one(const struct shader_generator *g, uint32_t buffer)
+{
+    return g->plan.is_hoisted[buffer];
+}
+
+uint32_t shader_element_of(const struct shader_generator *g, uint32_t buffer)
+{
+    return g->plan.is_hoisted[buffer] ? g->form->nodes[buffer].operands[0] : buffer;
+}
+
+static struct x86_operand found_at(const struct shader_generator *g, uint32_t buffer, size_t member)
+{
+    return x86_at(X86_RSP, (int32_t)(g->values[buffer].offset + member));
+}
+
+struct shader_argument shader_found_argument(struct shader_generator *g, uint32_t buffer)
+{
+    return shader_is_one(g, buffer) ? shader_address_argument(found_at(g, buffer, 0))
+                                    : shader_number_argument(0);
+}
+
+struct shader_argument shader_site_argument(struct shader_generator *g, uint32_t texture, uint32_t sampler,
+                                            uint32_t flags, uint32_t width)
+{
+    struct shader_site site = {.flags = flags, .width = width};
+    const struct shader_node *const node = shader_resource_node(g->form, texture);
+    if (node->op == SHADER_BUFFER) {
+        const struct shader_machine_slot *const slot = &g->stage->slots[node->immediate];
+        site.texture.set = slot->set;
+        site.texture.first = slot->first;
+        site.texture.count = slot->count;
+    }
+    if (sampler != SHADER_NONE) {
+        const struct shader_machine_slot *const slot =
+            &g->stage->slots[shader_resource_node(g->form, sampler)->immediate];
+        site.sampler.set = slot->set;
+        site.sampler.first = slot->first;
+        site.sampler.count = slot->count;
+    }
+    return shader_address_argument(shader_pool_bytes(&g->code, &site, sizeof site));
+}
+
+// Set an integer register to what all lanes of a value have.
+static void put_scalar(struct shader_generator *g, uint32_t value, int reg)
+{
+    const struct shader_node *const node = &g->form->nodes[value];
+    if (node->op == SHADER_CONSTANT) {
+        shader_encode_number(&g->code, reg, node->immediate);
+    } else if (g->values[value].reg >= 0) {
+        shader_put(g, X86_VMOVD_STORE | X86_NARROW, g->values[value].reg, 0, x86_reg(reg));
+    } else {
+        shader_put(g, X86_MOV, reg, 0, shader_home_of(g, value));
+    }
+}
+
+// Find the binding of a BUFFER that all lanes name.
+static void find_binding(struct shader_generator *g, uint32_t value)
+{
+    const struct shader_node *const node = &g->form->nodes[value];
+    struct shader_machine_value *const v = &g->values[value];
+    const bool is_words = g->form->resources[node->immediate].type->kind == SHADER_STRUCT;
+    const bool is_number = g->form->nodes[node->operands[0]].op == SHADER_CONSTANT;
+    v->home = SHADER_IN_FRAME;
+    v->offset = shader_take_frame(g, sizeof(struct shader_found));
+    shader_flush(g, 0); // the element is at home
+    const struct shader_argument element =
+        is_number ? shader_number_argument(g->form->nodes[node->operands[0]].immediate)
+                  : (struct shader_argument){SHADER_BY_WORD, 0, shader_home_of(g, node->operands[0])};
+    const struct shader_invocation call = {
+        .which = SHADER_CALL_FIND_WORDS,
+        .argument_count = 4,
+        .arguments = {shader_bound_argument(), shader_site_argument(g, value, SHADER_NONE, is_words, 0),
+                      element, shader_found_argument(g, value)},
+        .result = SHADER_NONE};
+    shader_invoke(g, &call);
+}
+
+// The memory of a workgroup is a binding and words too.
+static void find_shared(struct shader_generator *g, uint32_t value)
+{
+    struct shader_machine_value *const v = &g->values[value];
+    v->home = SHADER_IN_FRAME;
+    v->offset = shader_take_frame(g, sizeof(struct shader_found_pair));
+    const struct shader_invocation call = {
+        .which = SHADER_CALL_FIND_SHARED,
+        .argument_count = 3,
+        .arguments = {shader_pointer_argument(x86_at(X86_R14, offsetof(struct rhw_workgroup, shared))),
+                      shader_number_argument(g->form->workgroup_size), shader_found_argument(g, value)},
+        .result = SHADER_NONE};
+    shader_invoke(g, &call);
+}
+
+// Words that all lanes name --------------------------------------------------------------------------
+
+// Set eax to the number of the word at an offset of bytes. Return true where it is known, in *index.
+static bool put_index(struct shader_generator *g, uint32_t offset, uint32_t more, uint32_t *index)
+{
+    const struct shader_node *const node = &g->form->nodes[offset];
+    if (node->op == SHADER_CONSTANT) {
+        *index = (node->immediate + more) >> 2;
+        return true;
+    }
+    put_scalar(g, offset, X86_RAX);
+    if (more != 0) {
+        shader_encode(&g->code, X86_ADD_I, 0, 0, x86_reg(X86_RAX), (int32_t)more);
+    }
+    shader_encode(&g->code, X86_SHR_I, 0, 0, x86_reg(X86_RAX), 2);
+    return false;
+}
+
+static void load_push_word(struct shader_generator *g, uint32_t value)
+{
+    const struct shader_node *const node = &g->form->nodes[value];
+    uint32_t index;
+    if (!put_index(g, node->operands[1], node->immediate, &index)) {
+        shader_put(g, X86_MOV_STORE, X86_RAX, 0, SHADER_FRAME(number));
+    }
+    const bool is_known = g->form->nodes[node->operands[1]].op == SHADER_CONSTANT;
+    const struct shader_invocation call = {
+        .which = SHADER_CALL_PUSH_WORD,
+        .argument_count = 2,
+        .arguments = {shader_bound_argument(),
+                      is_known ? shader_number_argument(index)
+                               : (struct shader_argument){SHADER_BY_WORD, 0, SHADER_FRAME(number)}},
+        .result = SHADER_NONE};
+    shader_invoke(g, &call);
+    const int result = shader_result(g, value);
+    shader_put(g, X86_VMOVD | X86_NARROW, result, 0, x86_reg(X86_RAX));
+    shader_put(g, X86_VBROADCASTSS, result, 0, x86_reg(result));
+}
+
+// Load the word that eax or `index` names from `words`, of which there are `count`.
+static void load_word(struct shader_generator *g, uint32_t value, struct x86_operand words,
+                      struct x86_operand count)
+{
+    const struct shader_node *const node = &g->form->nodes[value];
+    uint32_t index = 0;
+    const bool is_known = put_index(g, node->operands[1], node->immediate, &index);
+    shader_end_operands(g);
+    const int result = shader_result(g, value);
+    const uint32_t end = shader_label_new(&g->code);
+    if (is_known) {
+        shader_encode_number(&g->code, X86_RAX, index);
+    }
+    shader_put(g, X86_VXORPS, result, result, x86_reg(result));
+    shader_put(g, X86_CMP, X86_RAX, 0, count);
+    shader_encode_jump_if(&g->code, X86_ABOVE_EQUAL, end);
+    shader_put(g, X86_MOV | X86_WIDE, X86_RCX, 0, words);
+    shader_put(g, X86_VBROADCASTSS, result, 0, x86_at_index(X86_RCX, X86_RAX, 2, 0));
+    shader_label_place(&g->code, end);
+}
+
+// The lane's own memory and tables -------------------------------------------------------------------
+
+static struct x86_operand own_at(const struct shader_generator *g, uint32_t word)
+{
+    return x86_at(g->plan.has_cuts ? X86_R15 : X86_RSP, (int32_t)(g->own + word * VECTOR));
+}
+
+// Words that all lanes name are vectors. Put one into `reg`, or from there, where it is.
+static void access_own_vector(struct shader_generator *g, const struct shader_node *node, uint32_t more,
+                              int reg, int mask, int old)
+{
+    uint32_t index = 0;
+    const uint32_t end = shader_label_new(&g->code);
+    struct x86_operand at;
+    if (put_index(g, node->operands[1], more, &index)) {
+        if (index >= g->form->private_count) {
+            shader_label_place(&g->code, end);
+            return;
+        }
+        at = own_at(g, index);
+    } else {
+        shader_encode(&g->code, X86_CMP_I, 0, 0, x86_reg(X86_RAX), (int32_t)g->form->private_count);
+        shader_encode_jump_if(&g->code, X86_ABOVE_EQUAL, end);
+        shader_encode(&g->code, X86_SHL_I, 0, 0, x86_reg(X86_RAX), 5);
+        shader_put(g, X86_LEA | X86_WIDE, X86_RCX, 0, own_at(g, 0));
+        at = x86_at_index(X86_RCX, X86_RAX, 0, 0);
+    }
+    if (old < 0) {
+        shader_put(g, X86_VMOVUPS, reg, 0, at);
+    } else {
+        shader_put(g, X86_VMOVUPS, old, 0, at);
+        shader_encode(&g->code, X86_VBLENDVPS, old, old, x86_reg(reg), mask);
+        shader_put(g, X86_VMOVUPS_STORE, old, 0, at);
+    }
+    shader_label_place(&g->code, end);
+}
+
+// Give a value of its own to the number of the word that each lane names.
+static uint32_t index_of(struct shader_generator *g, uint32_t offset, uint32_t more)
+{
+    const struct shader_node *const node = &g->form->nodes[offset];
+    const uint32_t index = shader_new_value(g);
+    const int reg = shader_temporary(g);
+    if (node->op == SHADER_CONSTANT) {
+        shader_put(g, X86_VBROADCASTSS, reg, 0, shader_pool_scalar(&g->code, (node->immediate + more) >> 2));
+    } else if (more != 0) {
+        const int from = shader_in_register(g, offset);
+        shader_put(g, X86_VPADDD, reg, from, shader_pool_splat(&g->code, more));
+        shader_encode(&g->code, X86_VPSRLD_I, reg, 0, x86_reg(reg), 2);
+    } else {
+        const int from = shader_in_register(g, offset);
+        shader_encode(&g->code, X86_VPSRLD_I, reg, 0, x86_reg(from), 2);
+    }
+    shader_assign(g, index, reg);
+    g->values[index].end = g->place; // whoever is called gets it in a register
+    return index;
+}
+
+static struct shader_argument table_argument(const struct shader_generator *g)
+{
+    return shader_number_argument((uint64_t)(uintptr_t)g->form->table);
+}
+
+static void load_own(struct shader_generator *g, uint32_t value)
+{
+    const struct shader_node *const node = &g->form->nodes[value], *const from =
+                                                                       &g->form->nodes[node->operands[0]];
+    const bool is_private = from->op == SHADER_PRIVATE;
+    const bool is_alike = (g->form->nodes[node->operands[1]].flags & SHADER_UNIFORM) != 0;
+    const uint32_t more = node->immediate + 4 * from->immediate;
+    if (is_alike && is_private) {
+        const int result = shader_temporary(g);
+        shader_put(g, X86_VXORPS, result, result, x86_reg(result));
+        access_own_vector(g, node, more, result, -1, -1);
+        shader_assign(g, value, result);
+        return;
+    }
+    struct shader_invocation call = {
+        .which = is_private ? SHADER_CALL_OWN : SHADER_TABLE, .argument_count = 2, .result = value};
+    call.arguments[0] = is_private ? shader_address_argument(own_at(g, 0)) : table_argument(g);
+    call.arguments[1] = shader_number_argument(is_private ? g->form->private_count : g->form->table_count);
+    call.vectors[call.vector_count++] = index_of(g, node->operands[1], more);
+    shader_invoke(g, &call);
+    shader_drop_value(g, call.vectors[0]);
+}
+
+static void store_own(struct shader_generator *g, const struct shader_node *node)
+{
+    const bool is_alike = (g->form->nodes[node->operands[1]].flags & SHADER_UNIFORM) != 0;
+    const uint32_t more = node->immediate + 4 * g->form->nodes[node->operands[0]].immediate;
+    if (is_alike) {
+        const int from = shader_in_register(g, node->operands[2]), mask = shader_in_register(g, g->mask);
+        access_own_vector(g, node, more, from, mask, shader_temporary(g));
+        return;
+    }
+    const uint32_t index = index_of(g, node->operands[1], more);
+    const struct shader_invocation call = {
+        .which = SHADER_CALL_OWN_STORE,
+        .argument_count = 2,
+        .arguments = {shader_address_argument(own_at(g, 0)), shader_number_argument(g->form->private_count)},
+        .vector_count = 3,
+        .vectors = {index, node->operands[2], g->mask},
+        .result = SHADER_NONE};
+    shader_invoke(g, &call);
+    shader_drop_value(g, index);
+}
+
+// Words of each lane ---------------------------------------------------------------------------------
+
+static bool is_written(const struct shader_generator *g, uint32_t buffer)
+{
+    const struct shader_node *const node = shader_resource_node(g->form, buffer);
+    return node->op == SHADER_BUFFER && g->plan.has_effects &&
+           (g->form->resources[node->immediate].variable->storage == SPIRV_STORAGE_BUFFER ||
+            g->form->resources[node->immediate].type->is_buffer_block);
+}
+
+static void load_lanes(struct shader_generator *g, uint32_t value, uint32_t buffer)
+{
+    const struct shader_node *const node = &g->form->nodes[value];
+    const uint32_t index = index_of(g, node->operands[1], node->immediate);
+    struct shader_invocation call = {.result = value};
+    if (g->form->nodes[buffer].op == SHADER_PUSH) {
+        call.which = SHADER_CALL_PUSH;
+        call.arguments[call.argument_count++] = shader_bound_argument();
+        call.vectors[call.vector_count++] = index;
+    } else if (shader_is_one(g, buffer)) {
+        const bool has_mask = is_written(g, buffer);
+        call.which = has_mask ? SHADER_CALL_LOAD_WORDS : SHADER_CALL_GATHER;
+        call.arguments[call.argument_count++] = shader_found_argument(g, buffer);
+        call.vectors[call.vector_count++] = index;
+        call.vectors[1] = g->mask;
+        call.vector_count += has_mask ? 1 : 0;
+    } else {
+        call.which = SHADER_LOAD;
+        call.argument_count = 3;
+        call.arguments[0] = shader_bound_argument();
+        call.arguments[1] = shader_site_argument(g, buffer, SHADER_NONE, 0, 0);
+        call.arguments[2] = shader_found_argument(g, buffer);
+        call.vector_count = 3;
+        call.vectors[0] = shader_element_of(g, buffer);
+        call.vectors[1] = index;
+        call.vectors[2] = g->mask;
+    }
+    shader_invoke(g, &call);
+    shader_drop_value(g, index);
+}
+
+static void load(struct shader_generator *g, uint32_t value)
+{
+    const struct shader_node *const node = &g->form->nodes[value];
+    const uint16_t op = g->form->nodes[node->operands[0]].op;
+    if (op == SHADER_PRIVATE || op == SHADER_TABLE) {
+        load_own(g, value);
+        return;
+    }
+    const bool is_alike = (node->flags & SHADER_UNIFORM) != 0;
+    const uint32_t buffer = shader_resource_of(g, node->operands[0]);
+    if (!is_alike || !shader_is_one(g, buffer)) {
+        load_lanes(g, value, buffer);
+    } else if (g->form->nodes[buffer].op == SHADER_PUSH) {
+        load_push_word(g, value);
+    } else {
+        load_word(g, value, found_at(g, buffer, offsetof(struct shader_found, words)),
+                  found_at(g, buffer, offsetof(struct shader_found, count)));
+    }
+}
+
+static void store_lanes(struct shader_generator *g, const struct shader_node *node)
+{
+    const uint32_t buffer = shader_resource_of(g, node->operands[0]);
+    const bool is_part = node->op != SHADER_STORE;
+    const uint32_t index = is_part ? node->operands[1] : index_of(g, node->operands[1], node->immediate);
+    struct shader_invocation call = {
+        .which = node->op, .argument_count = 3, .vector_count = 4, .result = SHADER_NONE};
+    call.arguments[0] = shader_bound_argument();
+    call.arguments[1] =
+        shader_site_argument(g, buffer, SHADER_NONE, node->immediate, node->op == SHADER_STORE8 ? 8 : 16);
+    call.arguments[2] = shader_found_argument(g, buffer);
+    call.vectors[0] = shader_element_of(g, buffer);
+    call.vectors[1] = index;
+    call.vectors[2] = node->operands[2];
+    call.vectors[3] = g->mask;
+    if (g->form->nodes[buffer].op == SHADER_WORKGROUP) {
+        call.vectors[0] = index; // it has no element
+    }
+    if (g->form->nodes[buffer].op == SHADER_WORKGROUP && !is_part) {
+        call = (struct shader_invocation){
+            .which = SHADER_CALL_SHARE,
+            .argument_count = 2,
+            .arguments = {shader_pointer_argument(x86_at(X86_R14, offsetof(struct rhw_workgroup, shared))),
+                          shader_number_argument(g->form->workgroup_size)},
+            .vector_count = 3,
+            .vectors = {index, node->operands[2], g->mask},
+            .result = SHADER_NONE};
+    }
+    shader_invoke(g, &call);
+    if (!is_part) {
+        shader_drop_value(g, index);
+    }
+}
+
+static void length(struct shader_generator *g, uint32_t value)
+{
+    const uint32_t buffer = shader_resource_of(g, g->form->nodes[value].operands[0]);
+    if (!shader_is_one(g, buffer)) {
+        const struct shader_invocation call = {
+            .which = SHADER_LENGTH,
+            .argument_count = 3,
+            .arguments = {shader_bound_argument(), shader_site_argument(g, buffer, SHADER_NONE, 0, 0),
+                          shader_found_argument(g, buffer)},
+            .vector_count = 2,
+            .vectors = {shader_element_of(g, buffer), g->mask},
+            .result = value};
+        shader_invoke(g, &call);
+        return;
+    }
+    const int result = shader_result(g, value);
+    const uint32_t fits = shader_label_new(&g->code);
+    shader_put(g, X86_MOV, X86_RAX, 0, found_at(g, buffer, offsetof(struct shader_found, count)));
+    shader_encode(&g->code, X86_CMP_I, 0, 0, x86_reg(X86_RAX), INT32_MAX / 2);
+    shader_encode_jump_if(&g->code, X86_BELOW_EQUAL, fits);
+    shader_encode_number(&g->code, X86_RAX, INT32_MAX / 2);
+    shader_label_place(&g->code, fits);
+    shader_encode(&g->code, X86_SHL_I, 0, 0, x86_reg(X86_RAX), 2);
+    shader_put(g, X86_VMOVD | X86_NARROW, result, 0, x86_reg(X86_RAX));
+    shader_put(g, X86_VBROADCASTSS, result, 0, x86_reg(result));
+}
+
+// Of a word of a buffer, or of a texel.
+static void atomic(struct shader_generator *g, uint32_t value)
+{
+    struct shader_node *const node = &g->form->nodes[value];
+    const bool is_image = node->op == SHADER_IMAGE_ATOMIC;
+    uint32_t count;
+    const uint32_t *const operands = shader_operands(g->form, node, &count);
+    const uint32_t buffer = shader_resource_of(g, operands[SHADER_ATOMIC_BUFFER]);
+    const uint32_t index = is_image ? SHADER_NONE : index_of(g, operands[SHADER_ATOMIC_OFFSET], 0);
+    struct shader_invocation call = {.which = node->op, .argument_count = 3, .result = value};
+    call.arguments[0] = shader_bound_argument();
+    call.arguments[1] = shader_site_argument(g, buffer, SHADER_NONE, node->immediate, 0);
+    call.arguments[2] = shader_found_argument(g, buffer);
+    const uint32_t first = is_image ? SHADER_IMAGE_ATOMIC_COORDINATES : SHADER_ATOMIC_VALUE;
+    const bool has_element = g->form->nodes[buffer].op != SHADER_WORKGROUP;
+    call.vectors[call.vector_count++] = has_element ? shader_element_of(g, buffer) : g->mask;
+    if (!is_image) {
+        call.vectors[call.vector_count++] = index;
+    }
+    for (uint32_t o = first; o < (is_image ? SHADER_IMAGE_ATOMIC_OPERANDS : SHADER_ATOMIC_OPERANDS); o++) {
+        call.vectors[call.vector_count++] = operands[o];
+    }
+    call.vectors[call.vector_count++] = g->mask;
+    shader_invoke(g, &call);
+    if (!is_image) {
+        shader_drop_value(g, index);
+    }
+}
+
+bool shader_select_memory(struct shader_generator *g, uint32_t value)
+{
+    const struct shader_node *const node = &g->form->nodes[value];
+    const uint16_t from = g->form->nodes[node->operands[0]].op;
+    switch ((enum shader_op)node->op) {
+    case SHADER_BUFFER:
+        if (!g->plan.is_hoisted[value]) {
+            return false; // lanes name their own elements, which it copies
+        }
+        find_binding(g, value);
+        return true;
+    case SHADER_PUSH: return true;
+    case SHADER_WORKGROUP: find_shared(g, value); return true;
+    case SHADER_LOAD: load(g, value); return true;
+    case SHADER_STORE:
+        if (from == SHADER_PRIVATE) {
+            store_own(g, node);
+        } else {
+            store_lanes(g, node);
+        }
+        return true;
+    case SHADER_STORE8:
+    case SHADER_STORE16: store_lanes(g, node); return true;
+    case SHADER_LENGTH: length(g, value); return true;
+    case SHADER_ATOMIC:
+    case SHADER_IMAGE_ATOMIC: atomic(g, value); return true;
+    default: return false;
+    }
+}

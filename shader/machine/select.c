@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: MIT
+// Arithmetic: an instruction or a few for each operation, or a call.
+#include "generator.h"
+
+// Operations that are one instruction: how it is written.
+struct notation {
+    uint16_t instruction;
+    enum { NOT_ONE, OF_ONE, OF_TWO, OF_TWO_SWAPPED } operands; // swapped: the second comes first
+    bool commutes;
+    int16_t immediate;
+};
+
+static const struct notation notations[SHADER_OP_COUNT] = {
+    [SHADER_FADD] = {X86_VADDPS, OF_TWO, true, 0},
+    [SHADER_FSUB] = {X86_VSUBPS, OF_TWO, false, 0},
+    [SHADER_FMUL] = {X86_VMULPS, OF_TWO, true, 0},
+    [SHADER_FDIV] = {X86_VDIVPS, OF_TWO, false, 0},
+    [SHADER_FMIN] = {X86_VMINPS, OF_TWO, false, 0},
+    [SHADER_FMAX] = {X86_VMAXPS, OF_TWO, false, 0},
+    [SHADER_FSQRT] = {X86_VSQRTPS, OF_ONE, false, 0},
+    [SHADER_FLOOR] = {X86_VROUNDPS, OF_ONE, false, X86_ROUND_DOWN},
+    [SHADER_CEIL] = {X86_VROUNDPS, OF_ONE, false, X86_ROUND_UP},
+    [SHADER_TRUNC] = {X86_VROUNDPS, OF_ONE, false, X86_ROUND_ZERO},
+    [SHADER_ROUND_EVEN] = {X86_VROUNDPS, OF_ONE, false, X86_ROUND_EVEN},
+    [SHADER_FEQUAL] = {X86_VCMPPS, OF_TWO, true, X86_EQ_O},
+    [SHADER_FLESS] = {X86_VCMPPS, OF_TWO, false, X86_LT_O},
+    [SHADER_FLESS_EQUAL] = {X86_VCMPPS, OF_TWO, false, X86_LE_O},
+    [SHADER_IADD] = {X86_VPADDD, OF_TWO, true, 0},
+    [SHADER_ISUB] = {X86_VPSUBD, OF_TWO, false, 0},
+    [SHADER_IMUL] = {X86_VPMULLD, OF_TWO, true, 0},
+    [SHADER_AND] = {X86_VANDPS, OF_TWO, true, 0},
+    [SHADER_OR] = {X86_VORPS, OF_TWO, true, 0},
+    [SHADER_XOR] = {X86_VXORPS, OF_TWO, true, 0},
+    [SHADER_IEQUAL] = {X86_VPCMPEQD, OF_TWO, true, 0},
+    [SHADER_ILESS] = {X86_VPCMPGTD, OF_TWO_SWAPPED, false, 0},
+    [SHADER_FLOAT_FROM_INT] = {X86_VCVTDQ2PS, OF_ONE, false, 0},
+};
+
+static const uint32_t *operands_of(const struct shader_generator *g, uint32_t value)
+{
+    return g->form->nodes[value].operands;
+}
+
+static void put_unary(struct shader_generator *g, uint32_t value, const struct notation *notation)
+{
+    const struct x86_operand a = shader_anywhere(g, operands_of(g, value)[0]);
+    shader_end_operands(g);
+    const int result = shader_result(g, value);
+    shader_encode(&g->code, notation->instruction, result, 0, a, notation->immediate);
+}
+
+static void put_binary(struct shader_generator *g, uint32_t value, const struct notation *notation)
+{
+    uint32_t a = operands_of(g, value)[0], b = operands_of(g, value)[1];
+    const bool is_better = g->values[a].reg < 0 && g->values[b].reg >= 0;
+    if (notation->operands == OF_TWO_SWAPPED || (notation->commutes && is_better)) {
+        const uint32_t swapped = a;
+        a = b;
+        b = swapped;
+    }
+    if (g->values[b].reg >= 0) {
+        g->locked |= 1u << g->values[b].reg;
+    }
+    const int first = shader_in_register(g, a);
+    const struct x86_operand second = shader_anywhere(g, b);
+    shader_end_operands(g);
+    const int result = shader_result(g, value);
+    shader_encode(&g->code, notation->instruction, result, first, second, notation->immediate);
+}
+
+static void put_select(struct shader_generator *g, uint32_t value)
+{
+    const uint32_t *const operands = operands_of(g, value);
+    for (int o = 0; o < 3; o++) {
+        g->locked |= g->values[operands[o]].reg >= 0 ? 1u << g->values[operands[o]].reg : 0;
+    }
+    const int truth = shader_in_register(g, operands[0]), otherwise = shader_in_register(g, operands[2]);
+    const struct x86_operand then = shader_anywhere(g, operands[1]);
+    shader_end_operands(g);
+    const int result = shader_result(g, value);
+    shader_encode(&g->code, X86_VBLENDVPS, result, otherwise, then, truth);
+}
+
+static void put_copy(struct shader_generator *g, uint32_t value)
+{
+    const struct x86_operand a = shader_anywhere(g, operands_of(g, value)[0]);
+    shader_end_operands(g);
+    const int result = shader_result(g, value);
+    if (a.reg != result) {
+        shader_put(g, X86_VMOVUPS, result, 0, a);
+    }
+}
+
+static void put_not(struct shader_generator *g, uint32_t value)
+{
+    const int a = shader_in_register(g, operands_of(g, value)[0]);
+    shader_end_operands(g);
+    const int result = shader_result(g, value);
+    shader_put(g, X86_VXORPS, result, a, shader_pool_splat(&g->code, UINT32_MAX));
+}
+
+// Shifts take the lower 5 bits of what they shift by.
+static void put_shift(struct shader_generator *g, uint32_t value)
+{
+    const struct shader_node *const node = &g->form->nodes[value], *const by =
+                                                                       &g->form->nodes[node->operands[1]];
+    const bool is_left = node->op == SHADER_SHIFT_LEFT, is_signed = node->op == SHADER_SHIFT_RIGHT_SIGNED;
+    if (by->op == SHADER_CONSTANT) {
+        const unsigned instruction = is_left ? X86_VPSLLD_I : is_signed ? X86_VPSRAD_I : X86_VPSRLD_I;
+        const int a = shader_in_register(g, node->operands[0]);
+        shader_end_operands(g);
+        shader_encode(&g->code, instruction, shader_result(g, value), 0, x86_reg(a),
+                      (int32_t)(by->immediate & 31));
+        return;
+    }
+    const unsigned instruction = is_left ? X86_VPSLLVD : is_signed ? X86_VPSRAVD : X86_VPSRLVD;
+    const int a = shader_in_register(g, node->operands[0]), b = shader_in_register(g, node->operands[1]);
+    const int bits = shader_temporary(g);
+    shader_put(g, X86_VANDPS, bits, b, shader_pool_splat(&g->code, 31));
+    shader_end_operands(g);
+    shader_put(g, instruction, shader_result(g, value), a, x86_reg(bits));
+}
+
+// Signed comparison with the sign bits turned is unsigned comparison.
+static void put_unsigned_less(struct shader_generator *g, uint32_t value)
+{
+    const uint32_t *const operands = operands_of(g, value);
+    const struct x86_operand sign = shader_pool_splat(&g->code, 0x80000000);
+    const int a = shader_in_register(g, operands[0]), b = shader_in_register(g, operands[1]);
+    const int x = shader_temporary(g), y = shader_temporary(g);
+    shader_put(g, X86_VXORPS, x, a, sign);
+    shader_put(g, X86_VXORPS, y, b, sign);
+    shader_end_operands(g);
+    shader_put(g, X86_VPCMPGTD, shader_result(g, value), y, x86_reg(x));
+}
+
+static void put_call(struct shader_generator *g, uint32_t value)
+{
+    const struct shader_node *const node = &g->form->nodes[value];
+    struct shader_invocation call = {
+        .which = node->op, .vector_count = shader_op_operands((enum shader_op)node->op), .result = value};
+    for (int o = 0; o < call.vector_count; o++) {
+        call.vectors[o] = node->operands[o];
+    }
+    shader_invoke(g, &call);
+}
+
+// Operations among the lanes of a group.
+static bool select_subgroup(struct shader_generator *g, uint32_t value)
+{
+    const struct shader_node *const node = &g->form->nodes[value];
+    struct shader_invocation call = {.which = node->op, .result = value};
+    switch ((enum shader_op)node->op) {
+    case SHADER_SCAN: call.arguments[call.argument_count++] = shader_number_argument(node->immediate); break;
+    case SHADER_BALLOT:
+    case SHADER_SHUFFLE: break;
+    default: return false;
+    }
+    for (int o = 0; o < shader_op_operands((enum shader_op)node->op); o++) {
+        call.vectors[call.vector_count++] = node->operands[o];
+    }
+    call.vectors[call.vector_count++] = g->mask;
+    shader_invoke(g, &call);
+    return true;
+}
+
+bool shader_select_arithmetic(struct shader_generator *g, uint32_t value)
+{
+    const struct notation *const notation = &notations[g->form->nodes[value].op];
+    if (notation->operands == OF_ONE) {
+        put_unary(g, value, notation);
+        return true;
+    }
+    if (notation->operands != NOT_ONE) {
+        put_binary(g, value, notation);
+        return true;
+    }
+    switch ((enum shader_op)g->form->nodes[value].op) {
+    case SHADER_COPY: put_copy(g, value); return true;
+    case SHADER_SELECT: put_select(g, value); return true;
+    case SHADER_NOT: put_not(g, value); return true;
+    case SHADER_SHIFT_LEFT:
+    case SHADER_SHIFT_RIGHT:
+    case SHADER_SHIFT_RIGHT_SIGNED: put_shift(g, value); return true;
+    case SHADER_ULESS: put_unsigned_less(g, value); return true;
+    default: break;
+    }
+    if (select_subgroup(g, value)) {
+        return true;
+    }
+    if (!shader_machine_function(g->form->nodes[value].op) ||
+        shader_op_kind_of((enum shader_op)g->form->nodes[value].op) != SHADER_KIND_VALUE) {
+        return false;
+    }
+    put_call(g, value);
+    return true;
+}

@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: MIT
+// A stage as a function: what is computed once a call, the loops over groups, and what stands around them. The function
+// begins behind its code, because only then it is known how much of the stack it takes.
+#include "generator.h"
+
+enum { SAVED = 5, WORD = 8, MAX_STACK = 160 << 10 };
+
+static const int saved[SAVED] = {X86_RBX, X86_R12, X86_R13, X86_R14, X86_R15};
+
+// Where the library has what a stage works on.
+static const struct {
+    int32_t size, mask, inputs, outputs;
+} layouts[RHW_SHADER_STAGE_COUNT] = {
+    [RHW_SHADER_VERTEX] = {sizeof(struct rhw_vertex), offsetof(struct rhw_vertex, mask),
+                           offsetof(struct rhw_vertex, attribute), offsetof(struct rhw_vertex, varying)},
+    [RHW_SHADER_FRAGMENT] = {sizeof(struct rhw_fragment), offsetof(struct rhw_fragment, mask),
+                             offsetof(struct rhw_fragment, varying), offsetof(struct rhw_fragment, color)},
+    [RHW_SHADER_COMPUTE] = {sizeof(struct rhw_invocations), offsetof(struct rhw_invocations, mask), 0, 0},
+};
+
+int32_t shader_mask_offset(const struct shader_generator *g)
+{
+    return layouts[g->kind].mask;
+}
+
+static void put_immediate(struct shader_generator *g, unsigned instruction, struct x86_operand at,
+                          int32_t number)
+{
+    shader_encode(&g->code, instruction, 0, 0, at, number);
+}
+
+static void put_pointer(struct shader_generator *g, int reg, struct x86_operand at)
+{
+    shader_put(g, X86_MOV | X86_WIDE, reg, 0, at);
+}
+
+static void store_pointer(struct shader_generator *g, int reg, struct x86_operand at)
+{
+    shader_put(g, X86_MOV_STORE | X86_WIDE, reg, 0, at);
+}
+
+// Loops over groups ----------------------------------------------------------------------------------
+
+void shader_open_groups(struct shader_generator *g)
+{
+    shader_forget_registers(g);
+    put_pointer(g, X86_RBX, SHADER_FRAME(groups));
+    if (g->plan.has_cuts) {
+        put_pointer(g, X86_R15, SHADER_FRAME(records));
+    }
+    shader_put(g, X86_MOV, X86_RAX, 0, SHADER_FRAME(here));
+    shader_put(g, X86_MOV_STORE, X86_RAX, 0, SHADER_FRAME(left));
+    g->group_loop = shader_label_new(&g->code);
+    shader_label_place(&g->code, g->group_loop);
+    g->group_end = shader_new_edge(g);
+    if (g->kind != RHW_SHADER_COMPUTE) {
+        put_pointer(g, X86_R12, x86_at(X86_RBX, layouts[g->kind].inputs));
+        put_pointer(g, X86_R13, x86_at(X86_RBX, layouts[g->kind].outputs));
+    }
+}
+
+void shader_close_groups(struct shader_generator *g)
+{
+    put_immediate(g, X86_ADD_I | X86_WIDE, x86_reg(X86_RBX), layouts[g->kind].size);
+    if (g->plan.has_cuts) {
+        shader_put(g, X86_ADD | X86_WIDE, X86_R15, 0, SHADER_FRAME(record_size));
+    }
+    put_immediate(g, X86_SUB_I, SHADER_FRAME(left), 1);
+    shader_encode_jump_if(&g->code, X86_NOT_EQUAL, g->group_loop);
+}
+
+// Memory of the lanes is 0 at first.
+void shader_clear_own(struct shader_generator *g)
+{
+    if (g->form->private_count == 0) {
+        return;
+    }
+    const uint32_t again = shader_label_new(&g->code);
+    shader_put(g, X86_LEA | X86_WIDE, X86_RAX, 0,
+               x86_at(g->plan.has_cuts ? X86_R15 : X86_RSP, (int32_t)g->own));
+    shader_encode_number(&g->code, X86_RCX, g->form->private_count);
+    shader_put(g, X86_VXORPS, 0, 0, x86_reg(0));
+    shader_label_place(&g->code, again);
+    shader_put(g, X86_VMOVUPS_STORE, 0, 0, x86_at(X86_RAX, 0));
+    put_immediate(g, X86_ADD_I | X86_WIDE, x86_reg(X86_RAX), VECTOR);
+    put_immediate(g, X86_SUB_I, x86_reg(X86_RCX), 1);
+    shader_encode_jump_if(&g->code, X86_NOT_EQUAL, again);
+}
+
+// What is computed once ------------------------------------------------------------------------------
+
+static void generate_once(struct shader_generator *g)
+{
+    for (uint32_t i = 0; i < g->form->code_count; i++) {
+        if (g->plan.is_hoisted[g->form->code[i]]) {
+            shader_generate_node(g, i);
+        }
+    }
+    g->place = g->form->code_count;
+    shader_pair_once(g);
+    shader_flush(g, UINT32_MAX);
+    shader_forget_registers(g);
+    for (uint32_t value = 0; value < g->value_count; value++) {
+        g->values[value].use = 0;
+    }
+    g->place = 0;
+}
+
+// Stages ---------------------------------------------------------------------------------------------
+
+// Begin what goes from run to run: masks, homes that are kept, memory of the lanes.
+static void begin_records(struct shader_generator *g)
+{
+    g->mask = shader_new_value(g);
+    g->alive = shader_new_value(g);
+    g->values[g->mask].is_kept = g->values[g->alive].is_kept = true;
+    shader_open_groups(g);
+    shader_put(g, X86_VMOVUPS, 0, 0, x86_at(X86_RBX, layouts[g->kind].mask));
+    shader_put(g, X86_VMOVUPS_STORE, 0, 0, shader_home_of(g, g->mask));
+    shader_put(g, X86_VMOVUPS_STORE, 0, 0, shader_home_of(g, g->alive));
+    for (uint32_t value = 0; value < g->form->node_count; value++) {
+        if (g->form->nodes[value].op == SHADER_HOME && g->plan.is_kept[value]) {
+            shader_put(g, X86_VBROADCASTSS, 0, 0,
+                       shader_pool_scalar(&g->code, g->form->nodes[value].immediate));
+            shader_put(g, X86_VMOVUPS_STORE, 0, 0, shader_home_of(g, value));
+        }
+    }
+    shader_clear_own(g);
+    shader_close_groups(g);
+}
+
+static void end_records(struct shader_generator *g)
+{
+    if (g->kind == RHW_SHADER_FRAGMENT && g->plan.loses_lanes) {
+        const struct x86_operand mask = x86_at(X86_RBX, layouts[g->kind].mask);
+        shader_open_groups(g);
+        shader_put(g, X86_VMOVUPS, 0, 0, shader_home_of(g, g->alive));
+        shader_put(g, X86_VANDPS, 0, 0, mask);
+        shader_put(g, X86_VMOVUPS_STORE, 0, 0, mask);
+        shader_close_groups(g);
+    }
+}
+
+// Groups go through the code in batches where they meet.
+static void generate_batches(struct shader_generator *g)
+{
+    const uint32_t again = shader_label_new(&g->code), fits = shader_label_new(&g->code);
+    shader_label_place(&g->code, again);
+    shader_put(g, X86_MOV, X86_RAX, 0, SHADER_FRAME(count));
+    put_immediate(g, X86_CMP_I, x86_reg(X86_RAX), (int32_t)g->stage->batch);
+    shader_encode_jump_if(&g->code, X86_BELOW_EQUAL, fits);
+    shader_encode_number(&g->code, X86_RAX, g->stage->batch);
+    shader_label_place(&g->code, fits);
+    shader_put(g, X86_MOV_STORE, X86_RAX, 0, SHADER_FRAME(here));
+    begin_records(g);
+    shader_generate_code(g);
+    end_records(g);
+    shader_put(g, X86_MOV, X86_RAX, 0, SHADER_FRAME(here));
+    shader_encode(&g->code, X86_IMUL_I | X86_WIDE, X86_RCX, 0, x86_reg(X86_RAX), layouts[g->kind].size);
+    shader_put(g, X86_ADD_STORE | X86_WIDE, X86_RCX, 0, SHADER_FRAME(groups));
+    shader_put(g, X86_SUB_STORE, X86_RAX, 0, SHADER_FRAME(count));
+    shader_encode_jump_if(&g->code, X86_NOT_EQUAL, again);
+}
+
+static void generate_body(struct shader_generator *g)
+{
+    const uint32_t own = g->form->private_count * VECTOR;
+    g->own = g->plan.has_cuts ? shader_take_record(g, own) : shader_take_frame(g, own);
+    generate_once(g);
+    if (g->plan.has_cuts) {
+        generate_batches(g);
+    } else {
+        g->mask = shader_new_value(g);
+        g->alive = shader_new_value(g);
+        g->values[g->mask].home = SHADER_IN_GROUP;
+        g->values[g->mask].offset = (uint32_t)layouts[g->kind].mask;
+        shader_generate_code(g);
+    }
+    shader_label_place(&g->code, g->exit);
+    shader_encode_vzeroupper(&g->code);
+    shader_put(g, X86_LEA | X86_WIDE, X86_RSP, 0, x86_at(X86_RBP, -SAVED * WORD));
+    for (int i = SAVED; i-- > 0;) {
+        shader_encode(&g->code, X86_POP, saved[i], 0, x86_reg(0), 0);
+    }
+    shader_encode(&g->code, X86_POP, X86_RBP, 0, x86_reg(0), 0);
+    shader_encode_return(&g->code);
+}
+
+// Where the function begins. It goes to its body.
+static void generate_entry(struct shader_generator *g, uint32_t body)
+{
+    const bool is_compute = g->kind == RHW_SHADER_COMPUTE;
+    const size_t bound = is_compute                       ? offsetof(struct rhw_workgroup, uniforms)
+                         : g->kind == RHW_SHADER_FRAGMENT ? offsetof(struct rhw_fragment, uniforms)
+                                                          : offsetof(struct rhw_vertex, uniforms);
+    shader_encode(&g->code, X86_PUSH, X86_RBP, 0, x86_reg(0), 0);
+    shader_put(g, X86_MOV | X86_WIDE, X86_RBP, 0, x86_reg(X86_RSP));
+    for (int i = 0; i < SAVED; i++) {
+        shader_encode(&g->code, X86_PUSH, saved[i], 0, x86_reg(0), 0);
+    }
+    put_immediate(g, X86_SUB_I | X86_WIDE, x86_reg(X86_RSP),
+                  (int32_t)(g->frame_size + g->stage->batch * g->record_size));
+    put_immediate(g, X86_AND_I | X86_WIDE, x86_reg(X86_RSP), -VECTOR);
+    put_pointer(g, X86_RAX, x86_at(X86_RDI, (int32_t)bound));
+    store_pointer(g, X86_RAX, SHADER_FRAME(bound));
+    if (is_compute) {
+        shader_put(g, X86_MOV | X86_WIDE, X86_R14, 0, x86_reg(X86_RDI));
+        shader_put(g, X86_MOV, X86_RSI, 0, x86_at(X86_RDI, offsetof(struct rhw_workgroup, count)));
+        put_pointer(g, X86_RDI, x86_at(X86_RDI, offsetof(struct rhw_workgroup, groups)));
+    }
+    store_pointer(g, X86_RDI, SHADER_FRAME(groups));
+    shader_put(g, X86_MOV_STORE, X86_RSI, 0, SHADER_FRAME(count));
+    shader_put(g, X86_MOV_STORE, X86_RSI, 0, SHADER_FRAME(here));
+    shader_put(g, X86_LEA | X86_WIDE, X86_RAX, 0, x86_at(X86_RSP, (int32_t)g->frame_size));
+    store_pointer(g, X86_RAX, SHADER_FRAME(records));
+    shader_encode_number(&g->code, X86_RAX, g->record_size);
+    store_pointer(g, X86_RAX, SHADER_FRAME(record_size));
+    put_immediate(g, X86_MOV_I, SHADER_FRAME(rounds), 0);
+    shader_encode_jump(&g->code, body);
+}
+
+bool shader_generate(struct shader_memory *memory, const struct shader_machine_stage *stage,
+                     enum rhw_shader_stage kind, int registers, bool has_records,
+                     struct shader_generated *made)
+{
+    const uint32_t places = stage->form->code_count + 1;
+    struct shader_generator g = {.memory = memory,
+                                 .stage = stage,
+                                 .kind = kind,
+                                 .form = stage->form,
+                                 .allowed = (1u << registers) - 1,
+                                 .ends = shader_take(memory, places, sizeof *g.ends),
+                                 .left = shader_take(memory, places, sizeof *g.left)};
+    shader_make_plan(memory, stage->form, &g.plan);
+    shader_encoder_init(&g.code, memory);
+    g.code.has_records = has_records;
+    shader_registers_init(&g);
+    (void)shader_take_frame(&g, sizeof(struct shader_machine_frame));
+    const uint32_t body = shader_label_new(&g.code);
+    g.exit = shader_label_new(&g.code);
+    shader_label_place(&g.code, body);
+    generate_body(&g);
+    if (g.frame_size + (uint64_t)stage->batch * g.record_size > MAX_STACK) {
+        return false;
+    }
+    made->entry = g.code.size;
+    generate_entry(&g, body);
+    (void)shader_encoder_finish(&g.code);
+    made->code = g.code;
+    return true;
+}

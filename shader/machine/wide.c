@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: MIT
+// The code of a stage: runs, through which one group goes after the other, and structure around barriers, which all
+// groups go through together. Masks of that have an element for each group, in its record.
+#include "generator.h"
+
+static void generate_wide(struct shader_generator *g, uint32_t begin, uint32_t end);
+
+// Runs -----------------------------------------------------------------------------------------------
+
+// Homes of a run begin with it.
+static void begin_homes(struct shader_generator *g, uint32_t run)
+{
+    for (uint32_t home = g->plan.first_home[run]; home != 0; home = g->plan.next_home[home - 1]) {
+        const int reg = shader_result(g, home - 1);
+        shader_put(g, X86_VBROADCASTSS, reg, 0,
+                   shader_pool_scalar(&g->code, g->form->nodes[home - 1].immediate));
+        shader_unlock(g);
+    }
+}
+
+static void open_run(struct shader_generator *g, uint32_t place)
+{
+    if (g->is_run_open) {
+        return;
+    }
+    g->is_run_open = true;
+    g->place = place;
+    shader_open_groups(g);
+    if (!g->plan.has_cuts) {
+        shader_clear_own(g);
+    }
+    g->run_mask = g->block_mask = g->mask;
+    begin_homes(g, g->plan.run[place]);
+    if (!g->plan.has_cuts && g->plan.loses_lanes) {
+        const int reg = shader_in_register(g, g->mask);
+        const int copy = shader_temporary(g);
+        shader_put(g, X86_VMOVAPS, copy, 0, x86_reg(reg));
+        shader_assign(g, g->alive, copy);
+        shader_unlock(g);
+    }
+}
+
+// Where the code of a group ends, fragments that have left are none any more.
+static void end_group(struct shader_generator *g)
+{
+    shader_edge_place(g, g->group_end, g->form->code_count, false);
+    if (g->kind == RHW_SHADER_FRAGMENT && g->plan.loses_lanes) {
+        const int reg = shader_in_register(g, g->alive);
+        const struct x86_operand mask = x86_at(X86_RBX, shader_mask_offset(g));
+        shader_put(g, X86_VANDPS, reg, reg, mask);
+        shader_put(g, X86_VMOVUPS_STORE, reg, 0, mask);
+        g->values[g->alive].is_stored = true;
+        shader_unlock(g);
+    }
+}
+
+static uint32_t new_kept(struct shader_generator *g)
+{
+    const uint32_t value = shader_new_value(g);
+    g->values[value].is_kept = true;
+    return value;
+}
+
+static void close_run(struct shader_generator *g)
+{
+    if (!g->is_run_open) {
+        return;
+    }
+    g->is_run_open = false;
+    if (!g->plan.has_cuts) {
+        end_group(g);
+    } else if (g->mask != g->run_mask) {
+        const uint32_t kept = new_kept(g);
+        const int reg = shader_in_register(g, g->mask);
+        shader_drop_value(g, g->mask);
+        shader_assign(g, kept, reg);
+        g->mask = kept;
+        shader_unlock(g);
+    }
+    shader_flush(g, UINT32_MAX);
+    shader_forget_registers(g);
+    shader_close_groups(g);
+}
+
+// Masks of all groups --------------------------------------------------------------------------------
+
+// Set a mask of every group to a & b, or a & ~b. Where it is asked for, set the flag of zero if no group has a lane.
+static uint32_t and_in_all(struct shader_generator *g, uint32_t a, uint32_t b, bool is_not)
+{
+    const uint32_t result = new_kept(g);
+    shader_put(g, X86_VXORPS, 1, 1, x86_reg(1));
+    shader_put(g, X86_VMOVUPS_STORE, 1, 0, SHADER_FRAME(any));
+    shader_open_groups(g);
+    shader_put(g, X86_VMOVUPS, 0, 0, shader_home_of(g, is_not ? b : a));
+    shader_put(g, is_not ? X86_VANDNPS : X86_VANDPS, 0, 0, shader_home_of(g, is_not ? a : b));
+    shader_put(g, X86_VMOVUPS_STORE, 0, 0, shader_home_of(g, result));
+    shader_put(g, X86_VORPS, 0, 0, SHADER_FRAME(any));
+    shader_put(g, X86_VMOVUPS_STORE, 0, 0, SHADER_FRAME(any));
+    shader_close_groups(g);
+    return result;
+}
+
+// Set the flag of zero where and_in_all found no lane.
+static void test_found(struct shader_generator *g)
+{
+    shader_put(g, X86_VMOVUPS, 0, 0, SHADER_FRAME(any));
+    shader_put(g, X86_VTESTPS, 0, 0, x86_reg(0));
+}
+
+// Copy a mask of every group, or change it by another.
+static void change_in_all(struct shader_generator *g, unsigned instruction, uint32_t mask, uint32_t by)
+{
+    shader_open_groups(g);
+    shader_put(g, X86_VMOVUPS, 0, 0, shader_home_of(g, by));
+    if (instruction != X86_VMOVUPS) {
+        shader_put(g, instruction, 0, 0, shader_home_of(g, mask));
+    }
+    shader_put(g, X86_VMOVUPS_STORE, 0, 0, shader_home_of(g, mask));
+    shader_close_groups(g);
+}
+
+static uint32_t copy_in_all(struct shader_generator *g, uint32_t mask)
+{
+    const uint32_t copy = new_kept(g);
+    change_in_all(g, X86_VMOVUPS, copy, mask);
+    return copy;
+}
+
+static void go_on_alive_in_all(struct shader_generator *g)
+{
+    g->mask = and_in_all(g, g->mask, g->alive, false);
+}
+
+// Structure ------------------------------------------------------------------------------------------
+
+static void generate_branch(struct shader_generator *g, uint32_t begin, uint32_t end, uint32_t mask)
+{
+    g->mask = mask;
+    g->is_dead = false;
+    generate_wide(g, begin, end);
+    g->is_dead = false;
+}
+
+static void generate_wide_if(struct shader_generator *g, uint32_t place)
+{
+    const struct shader_structure *const structure = &g->plan.structures[place];
+    const uint32_t condition = g->form->nodes[g->form->code[place]].operands[0];
+    const uint32_t before = g->mask;
+    const bool has_else = structure->otherwise != SHADER_NONE;
+    const uint32_t middle = has_else ? structure->otherwise : structure->end;
+    const uint32_t otherwise = shader_label_new(&g->code), end = shader_label_new(&g->code);
+    uint32_t inside = before, outside = before;
+    if (structure->is_uniform) { // the first group stands for all
+        shader_put(g, X86_MOV | X86_WIDE, X86_R15, 0, SHADER_FRAME(records));
+        shader_put(g, X86_MOV | X86_WIDE, X86_RBX, 0, SHADER_FRAME(groups));
+        shader_test_alike(g, condition);
+    } else {
+        inside = and_in_all(g, before, condition, false);
+        test_found(g);
+        g->divergence++;
+    }
+    shader_encode_jump_if(&g->code, X86_EQUAL, otherwise);
+    generate_branch(g, place + 1, middle, inside);
+    if (has_else && structure->is_uniform) {
+        shader_encode_jump(&g->code, end);
+    }
+    shader_label_place(&g->code, otherwise);
+    shader_forget_registers(g);
+    if (has_else) {
+        if (!structure->is_uniform) {
+            outside = and_in_all(g, before, inside, true);
+            test_found(g);
+            shader_encode_jump_if(&g->code, X86_EQUAL, end);
+        }
+        generate_branch(g, middle + 1, structure->end, outside);
+    }
+    shader_label_place(&g->code, end);
+    shader_forget_registers(g);
+    g->divergence -= structure->is_uniform ? 0 : 1;
+    g->mask = before;
+    if (structure->loses) {
+        go_on_alive_in_all(g);
+    }
+}
+
+// REGION or LOOP.
+static void generate_wide_region(struct shader_generator *g, uint32_t place)
+{
+    const struct shader_structure *const structure = &g->plan.structures[place];
+    const bool is_loop = shader_op_at(g, place) == SHADER_LOOP;
+    const uint32_t before = g->mask, again = shader_label_new(&g->code);
+    g->ends[place] = shader_new_edge(g);
+    if (!structure->is_uniform) {
+        g->divergence++;
+        g->left[place] = new_kept(g);
+        shader_open_groups(g);
+        shader_put(g, X86_VXORPS, 0, 0, x86_reg(0));
+        shader_put(g, X86_VMOVUPS_STORE, 0, 0, shader_home_of(g, g->left[place]));
+        shader_close_groups(g);
+    }
+    const uint32_t round = copy_in_all(g, before);
+    shader_label_place(&g->code, again);
+    g->mask = round;
+    generate_wide(g, place + 1, structure->end);
+    if (is_loop && !g->is_dead) {
+        change_in_all(g, X86_VMOVUPS, round, g->mask);
+        shader_generate_giving_up(g, NULL);
+        (void)and_in_all(g, round, round, false);
+        test_found(g);
+        shader_encode_jump_if(&g->code, X86_NOT_EQUAL, again);
+    }
+    shader_label_place(&g->code, g->ends[place]->label);
+    shader_forget_registers(g);
+    if (!structure->is_uniform) {
+        g->divergence--;
+        change_in_all(g, X86_VORPS, g->alive, g->left[place]);
+    }
+    g->is_dead = false;
+    g->mask = before;
+    if (structure->loses) {
+        go_on_alive_in_all(g);
+    }
+}
+
+static void generate_wide_leave(struct shader_generator *g, uint32_t place)
+{
+    const uint32_t node = g->form->code[place];
+    const uint32_t target = g->plan.place[g->form->nodes[node].operands[0]];
+    g->is_dead = true;
+    if (g->plan.structures[target].is_uniform) {
+        shader_encode_jump(&g->code, g->ends[target]->label);
+        return;
+    }
+    change_in_all(g, X86_VORPS, g->left[target], g->mask);
+    change_in_all(g, X86_VANDNPS, g->alive, g->mask); // ~mask & alive
+}
+
+// Write a barrier, an atomic that all groups come to before any goes on, or wide structure. Return the place behind it.
+static uint32_t generate_wide_item(struct shader_generator *g, uint32_t place)
+{
+    close_run(g);
+    g->place = place;
+    const enum shader_op op = shader_op_at(g, place);
+    if (shader_is_cut(&g->plan, place)) {
+        if (op != SHADER_BARRIER) {
+            open_run(g, place);
+            shader_generate_node(g, place);
+            close_run(g);
+        }
+        return place + 1;
+    }
+    if (op == SHADER_LEAVE) {
+        generate_wide_leave(g, place);
+        return place + 1;
+    }
+    if (op == SHADER_IF) {
+        generate_wide_if(g, place);
+    } else {
+        generate_wide_region(g, place);
+    }
+    return g->plan.structures[place].end + 1;
+}
+
+static void generate_wide(struct shader_generator *g, uint32_t begin, uint32_t end)
+{
+    uint32_t i = begin;
+    while (i < end && !g->is_dead) {
+        if (shader_is_cut(&g->plan, i) || shader_is_wide(&g->plan, i)) {
+            i = generate_wide_item(g, i);
+        } else if (g->plan.is_hoisted[g->form->code[i]]) {
+            i++;
+        } else {
+            open_run(g, i);
+            i = shader_generate_item(g, i);
+        }
+    }
+    close_run(g);
+}
+
+void shader_generate_code(struct shader_generator *g)
+{
+    generate_wide(g, 0, g->form->code_count);
+}
