@@ -21,6 +21,7 @@
 
 #include "device/device.h"
 
+struct vulkan_begin_subpass;
 struct vulkan_command;
 
 typedef void vulkan_replay_function(struct vulkan_replay *replay, const struct vulkan_command *command);
@@ -47,8 +48,8 @@ struct vulkan_command_list {
 
 struct VkCommandPool_T {
     VkAllocationCallbacks callbacks;
-    VkCommandBuffer buffers; ///< first of its buffers
-    struct vulkan_chunk *unused;
+    VkCommandBuffer buffers;     ///< first of its buffers
+    struct vulkan_chunk *unused; ///< chunks of VULKAN_CHUNK_SIZE
 };
 
 struct VkCommandBuffer_T {
@@ -60,7 +61,9 @@ struct VkCommandBuffer_T {
     struct vulkan_command_list list;
     VkResult result; ///< why recording failed, told by vkEndCommandBuffer
     // What the recording functions know while they record
-    bool is_in_pass; ///< inside of a render pass
+    struct vulkan_begin_subpass *subpass; ///< command that began the subpass; NULL outside of render passes
+    bool has_barrier;                     ///< a secondary one: it has a barrier inside of a render pass
+    bool continues_pass; ///< a secondary one that is recorded for the inside of a render pass
 };
 
 // Return a new command of zeros behind the others, or NULL. Without memory the command buffer remembers that.

@@ -29,8 +29,8 @@ static const struct extension {
     uint32_t version;
     bool is_of_device;
 } extensions[] = {
-#define INSTANCE false
-#define DEVICE true
+#define INSTANCE                       false
+#define DEVICE                         true
 #define EXTENSION(name, version, kind) {"VK_" #name, version, kind},
 #include "extensions.inc"
 #undef EXTENSION

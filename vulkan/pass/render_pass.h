@@ -6,21 +6,21 @@
 
 #include "device/device.h"
 
+enum { VULKAN_MAX_INPUTS = RHW_MAX_COLOR_ATTACHMENTS };
+
 struct vulkan_attachment {
     VkFormat format;
     uint32_t samples;
     VkAttachmentLoadOp load, stencil_load;
     VkAttachmentStoreOp store, stencil_store;
-    VkImageLayout initial_layout;
-    uint32_t first_subpass, last_subpass; ///< subpasses that use it; first_subpass is UINT32_MAX if none does
-    uint32_t view_mask;                   ///< views of all subpasses that use it
+    uint32_t last_subpass; ///< last subpass that uses it
 };
 
 struct vulkan_subpass {
     uint32_t color_count, input_count;
     uint32_t colors[RHW_MAX_COLOR_ATTACHMENTS];   ///< numbers of attachments, or VK_ATTACHMENT_UNUSED
     uint32_t resolves[RHW_MAX_COLOR_ATTACHMENTS]; ///< numbers of attachments, or VK_ATTACHMENT_UNUSED
-    uint32_t inputs[RHW_MAX_COLOR_ATTACHMENTS + 1];
+    uint32_t inputs[VULKAN_MAX_INPUTS];
     uint32_t depth, depth_resolve; ///< number of the attachment, or VK_ATTACHMENT_UNUSED
     VkImageLayout depth_layout, stencil_layout;
     VkResolveModeFlagBits depth_resolve_mode, stencil_resolve_mode;
@@ -37,6 +37,7 @@ struct VkRenderPass_T {
 struct VkFramebuffer_T {
     uint32_t width, height, layers;
     uint32_t attachment_count;
+    bool is_imageless;
     VkImageView attachments[]; ///< not set if the framebuffer is imageless
 };
 

@@ -7,6 +7,7 @@
 
 #include "rhw/rhw.h"
 #include <pthread.h>
+#include <stdbool.h>
 #include <vulkan/vk_icd.h>
 
 struct vulkan_submission;
@@ -32,11 +33,14 @@ struct VkQueue_T {
     VkDevice device;
     rhw_context *context;
     pthread_t thread;
-    pthread_mutex_t lock;     ///< guards what stands behind it
-    pthread_cond_t changed;   ///< something was submitted, has run, or was signalled
-    pthread_mutex_t in_use;   ///< held by the thread that calls librhw with the context
-    bool ends;                ///< the thread ends when nothing is left
-    bool is_lost;             ///< a shader was given up or memory ran out
+    pthread_mutex_t lock;                   ///< guards what stands behind it
+    pthread_cond_t changed;                 ///< something was submitted, has run, or was signalled
+    pthread_mutex_t in_use;                 ///< held by the thread that calls librhw with the context
+    uint64_t timeout;                       ///< nanoseconds after which a submission is given up; 0: never
+    uint64_t begun;                         ///< time at which the submission under way began, of vulkan_now
+    struct vulkan_arena_block *arena;       ///< memory that replay keeps from one submission to the next
+    bool ends;                              ///< the thread ends when nothing is left
+    bool is_lost;                           ///< a shader was given up or memory ran out
     struct vulkan_submission *first, *last; ///< what waits or runs, in order
     struct vulkan_retired *retired;
     size_t retired_count, retired_capacity;
@@ -47,6 +51,13 @@ VkResult vulkan_queue_init(VkQueue queue, VkDevice device);
 
 // Wait until the queue has run everything, and end its thread.
 void vulkan_queue_end(VkQueue queue);
+
+// Return nanoseconds of a clock that only counts up.
+uint64_t vulkan_now(void);
+
+// Wait until `is_true` holds, for at most `timeout` nanoseconds, UINT64_MAX for ever. `is_true` is called with the lock
+// held. Return VK_SUCCESS, VK_TIMEOUT or VK_ERROR_DEVICE_LOST.
+VkResult vulkan_queue_wait(VkQueue queue, bool (*is_true)(void *user), void *user, uint64_t timeout);
 
 // Let the queue's thread destroy an id, which may be the null id. Any thread may call these.
 void vulkan_retire_texture(VkQueue queue, rhw_texture texture);

@@ -38,4 +38,8 @@ uint32_t vulkan_image_slices(VkImage image, uint32_t level);
 // Return the place of the blocks of a level of a compressed image, from the image's first byte on.
 size_t vulkan_image_blocks(VkImage image, uint32_t level);
 
+// Return the bytes of a row of blocks, and those of a layer or slice of them.
+size_t vulkan_image_block_row(VkImage image, uint32_t level);
+size_t vulkan_image_block_slice(VkImage image, uint32_t level);
+
 #endif

@@ -14,8 +14,8 @@ struct VkImageView_T {
     VkImageSubresourceRange range; ///< its counts are numbers, never VK_REMAINING_MIP_LEVELS
 
     // The queue's thread has these.
-    rhw_texture view;           ///< view for shaders; null id until a command needs it
-    rhw_texture target;         ///< view for attachments; null id where the image's texture will do
+    rhw_texture view;   ///< view for shaders; null id until a command needs it
+    rhw_texture target; ///< view for attachments; null id as long as none needs it, or the image's will do
     struct rhw_binding texture; ///< binding of `view` without a sampler
     struct rhw_binding storage; ///< binding of the first level of `view` as a storage image
     bool has_texture, has_storage;
@@ -28,13 +28,8 @@ const struct rhw_binding *vulkan_image_view_texture(VkQueue queue, VkImageView v
 // Return the binding of a view for storage images. The queue's thread calls this. Return NULL if memory is lost.
 const struct rhw_binding *vulkan_image_view_storage(VkQueue queue, VkImageView view);
 
-// Where an attachment draws to.
-struct vulkan_target {
-    rhw_texture texture;
-    int level, layer;
-};
-
-// Set *target to the place that passes draw into. The queue's thread calls this.
-VkResult vulkan_image_view_target(VkQueue queue, VkImageView view, struct vulkan_target *target);
+// Set *target to a texture that has the level and the layers, or slices, of the view and no other, for attachments. The
+// queue's thread calls this.
+VkResult vulkan_image_view_target(VkQueue queue, VkImageView view, rhw_texture *target);
 
 #endif

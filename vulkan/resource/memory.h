@@ -7,7 +7,8 @@
 
 struct VkDeviceMemory_T {
     VkDeviceSize size;
-    unsigned char *bytes;
+    unsigned char *bytes; ///< zeros at first, so that what a program forgets to write is the same everywhere
+    void *block;          ///< what is given back to the C library
 };
 
 enum {
