@@ -3,14 +3,12 @@
 #ifndef VULKAN_BOUND_H
 #define VULKAN_BOUND_H
 
-#include "rhw/rhw.h"
-#include "rhw/spirv.h"
-#include <vulkan/vulkan_core.h>
+#include "descriptor/descriptor_set.h"
+#include "pipeline/pipeline.h"
 
 enum {
     VULKAN_MAX_SETS = RHW_SHADER_MAX_SETS,
-    VULKAN_MAX_PUSH_SIZE = 256,      ///< bytes of push constants
-    VULKAN_MAX_DYNAMIC_BUFFERS = 16, ///< buffers with dynamic offsets in all sets of a pipeline layout
+    VULKAN_MAX_PUSH_SIZE = 256, ///< bytes of push constants
 };
 
 // What a bind point has.
@@ -25,26 +23,31 @@ struct vulkan_bound_vertices {
     VkDeviceSize offset;
 };
 
-// What the dynamic state of pipelines takes.
-struct vulkan_dynamic_state {
-    VkViewport viewports[RHW_MAX_VIEWPORTS];
-    VkRect2D scissors[RHW_MAX_VIEWPORTS];
-    float line_width;
-    float depth_bias_constant, depth_bias_clamp, depth_bias_slope;
-    float blend_constants[4];
-    float depth_bounds[2];
-    uint32_t stencil_compare_mask[2], stencil_write_mask[2], stencil_reference[2]; ///< [front, back]
+// What a pass of librhw has not been told yet, or-ed.
+enum vulkan_news {
+    VULKAN_NEWS_PIPELINE = 1,
+    VULKAN_NEWS_PUSH = 2,
+    VULKAN_NEWS_INDICES = 4,
+    VULKAN_NEWS_ALL = 7
 };
 
 struct vulkan_bound {
     struct vulkan_bound_point graphics, compute;
-    unsigned char push_constants[VULKAN_MAX_PUSH_SIZE];
+    _Alignas(16) unsigned char push_constants[VULKAN_MAX_PUSH_SIZE];
     struct vulkan_bound_vertices vertices[RHW_MAX_VERTEX_BUFFERS];
     VkBuffer indices;
     VkDeviceSize index_offset;
     VkIndexType index_type;
     struct vulkan_dynamic_state dynamic;
-    bool is_told; ///< the pass of librhw that is open knows what is bound; false after anything changes
+
+    /// The pass of librhw that is open knows what is bound, but for what the next members say. Whoever opens a pass
+    /// makes it false.
+    bool is_told;
+    uint32_t news;                 ///< or-ed enum vulkan_news
+    uint32_t news_sets;            ///< bit s: set s of graphics
+    uint32_t news_vertices;        ///< bit i: vertex buffer i
+    uint32_t news_dynamic;         ///< or-ed enum vulkan_dynamic
+    struct rhw_shader_frame frame; ///< what shaders were given last
 };
 
 #endif
