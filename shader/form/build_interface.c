@@ -294,11 +294,15 @@ void shader_write_outputs(struct shader_builder *builder)
             is_set[node->operands[0]] = true;
         }
     }
-    // Only what is stored to somewhere is an output.
+    // Of what is built in, only what is stored to somewhere is an output. A vertex shader gives the fragment shader 0 for
+    // what it declares and never stores, which Vulkan leaves open.
     for (uint32_t slot = 0; slot < SHADER_OUT_COUNT; slot++) {
         const uint32_t home = builder->output_homes[slot];
         if (home != SHADER_NO_VALUE && is_set[home]) {
             write_output(builder, slot, shader_get_home(builder, home));
+        } else if (home != SHADER_NO_VALUE && builder->entry->model == SPIRV_VERTEX &&
+                   slot >= SHADER_OUT_VARYING) {
+            write_output(builder, slot, shader_number(builder, 0));
         }
     }
     for (uint32_t t = 0; builder->entry->model == SPIRV_FRAGMENT && t < MAX_TARGETS; t++) {
