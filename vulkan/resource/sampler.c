@@ -73,7 +73,7 @@ static struct rhw_sampler_def definition(const VkSamplerCreateInfo *info)
     }
     set_levels(info, &def);
     def.compares = info->compareEnable;
-    def.compare = vulkan_compare(info->compareOp);
+    def.compare = info->compareEnable ? vulkan_compare(info->compareOp) : RHW_COMPARE_LESS;
     return def;
 }
 
