@@ -19,6 +19,10 @@ export async function openGpu() {
         const dawn = await import("webgpu");
         Object.assign(globalThis, dawn.globals);
         instance = dawn.create([]);
+        // Dawn's set of features lacks a method of sets that Babylon.js calls.
+        globalThis.GPUSupportedFeatures.prototype.forEach ??= function (call) {
+            [...this].forEach((feature) => call(feature, feature, this));
+        };
         Object.defineProperty(globalThis, "navigator", {
             value: { gpu: instance, userAgent: "node", language: "en" },
             configurable: true,

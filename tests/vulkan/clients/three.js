@@ -5,7 +5,7 @@
 import process from "node:process";
 import * as THREE from "three/webgpu";
 import { fail, finish, readTexture } from "./host.js";
-import { HEIGHT, openRenderer, WIDTH } from "./three_host.js";
+import { drawFrame, HEIGHT, openRenderer, WIDTH } from "./three_host.js";
 import * as scenes from "./three_scenes.js";
 
 const [name, folder, frames = "0"] = process.argv.slice(2);
@@ -15,12 +15,14 @@ if (!scenes[name]) {
 const { renderer, canvas, device } = await openRenderer(THREE);
 device.addEventListener("uncapturederror", (event) => fail(event.error.message));
 const draw = await scenes[name](renderer);
-draw(0);
-let pixels = await readTexture(device, canvas.texture);
+let frame = 0;
+renderer.setAnimationLoop(() => draw(frame));
+drawFrame(0);
+const pixels = await readTexture(device, canvas.texture);
 const first = process.uptime() * 1000, times = [];
-for (let frame = 1; frame <= Number(frames); frame++) {
+for (frame = 1; frame <= Number(frames); frame++) {
     const before = performance.now();
-    draw(frame);
+    drawFrame(frame);
     await readTexture(device, canvas.texture);
     times.push(performance.now() - before);
 }

@@ -34,12 +34,25 @@ export function makeCanvas() {
     return canvas;
 }
 
+// What is to be called for the next frame.
+let nextFrame = null;
+
+// Has the renderer draw the next frame, as a page does when its display wants one.
+export function drawFrame(frame) {
+    const callback = nextFrame;
+    nextFrame = null;
+    callback((frame * 1000) / 60);
+}
+
 // A renderer of 4 samples with shadows, and its canvas.
 export async function openRenderer(THREE) {
     await openGpu();
     globalThis.self ??= globalThis;
-    globalThis.requestAnimationFrame ??= () => 0;
-    globalThis.cancelAnimationFrame ??= () => {};
+    globalThis.requestAnimationFrame = (callback) => {
+        nextFrame = callback;
+        return 1;
+    };
+    globalThis.cancelAnimationFrame = () => {};
     const canvas = makeCanvas();
     const renderer = new THREE.WebGPURenderer({ canvas, antialias: true });
     await renderer.init();
