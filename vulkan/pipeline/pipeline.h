@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// A pipeline is a linked program of librhw-shader, and of graphics the definition of a pipeline of librhw, which the
+// queue's thread creates when a draw first needs it.
+#ifndef VULKAN_PIPELINE_H
+#define VULKAN_PIPELINE_H
+
+#include "dynamic_state.h"
+#include "pipeline_layout.h"
+
+// Bindings of a set that the shaders of a pipeline use.
+struct vulkan_used_binding {
+    uint32_t set, first, count;
+};
+
+struct VkPipeline_T {
+    VkPipelineBindPoint point;
+    VkPipelineLayout layout;
+    rhw_shader_program *program;
+    struct vulkan_used_binding *used;
+    uint32_t used_count;
+    uint32_t used_sets; ///< bit s: the shaders use bindings of set s
+    uint32_t push_size; ///< bytes of push constants that the shaders read
+
+    // Of graphics
+    struct rhw_pipeline_def def;
+    uint32_t samples;        ///< samples of a pixel
+    bool has_depth_bias;     ///< the depth bias counts, whether a command or `state` gives it
+    uint32_t vertex_buffers; ///< bit i: an attribute reads vertex buffer i
+    struct vulkan_dynamic_state state;
+    uint32_t dynamic; ///< or-ed enum vulkan_dynamic: parts that commands set, in place of `state`
+
+    // The queue's thread has this.
+    rhw_pipeline pipeline; ///< null id until a draw needs it
+};
+
+// Link shaders, of which those that are NULL are left out, to the program of a pipeline with a layout. Return a
+// VkResult, and leave the pipeline to vulkan_pipeline_free, where that fails.
+VkResult vulkan_pipeline_link(VkPipeline pipeline, VkPipelineLayout layout,
+                              const struct rhw_shader_program_def *shaders);
+
+// Free a pipeline that no draw has needed yet.
+void vulkan_pipeline_free(VkDevice device, const VkAllocationCallbacks *allocator, VkPipeline pipeline);
+
+#endif
