@@ -73,7 +73,9 @@ static struct rhw_sampler_def definition(const VkSamplerCreateInfo *info)
     }
     set_levels(info, &def);
     def.compares = info->compareEnable;
-    def.compare = vulkan_compare(info->compareOp);
+    if (info->compareEnable) {
+        def.compare = vulkan_compare(info->compareOp);
+    }
     return def;
 }
 
