@@ -115,8 +115,10 @@ static void add_built_in(struct interface_walk *walk, const struct shader_type *
                                    : sizeof built_in_inputs / sizeof *built_in_inputs;
     if (!is_output &&
         (number == SPIRV_HELPER_INVOCATION || number == SPIRV_VIEW_INDEX || number == SPIRV_DEVICE_INDEX)) {
+        const bool is_view = number == SPIRV_VIEW_INDEX;
+        builder->program->reads_view_index = builder->program->reads_view_index || is_view;
         for (uint32_t i = 0; i < type->scalars; i++) {
-            walk->scalars[walk->next++] = shader_number(builder, 0);
+            walk->scalars[walk->next++] = shader_number(builder, is_view ? builder->program->view_index : 0);
         }
         return;
     }
