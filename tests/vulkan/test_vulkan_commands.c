@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Commands beside draws: queries, secondary command buffers, clears of attachments, events, semaphores and views.
+// Commands beside draws: queries, secondary command buffers, clears of attachments and events.
 #include <string.h>
 
 #include "quad_vert.h"
 #include "shade_frag.h"
-#include "views_frag.h"
-#include "views_vert.h"
 #include "vulkan_picture.h"
 
 // What quad.vert takes.
@@ -79,8 +77,8 @@ static void queries_count_samples_and_time(void **state)
     assert_int_equal(counts[1][0], 0);
     assert_true(counts[0][1] == 1 && counts[1][1] == 1);
     assert_memory_equal(copied.bytes, ((uint64_t[2]){PICTURE_TEXELS / 2, 0}), 2 * sizeof(uint64_t));
-    assert_int_equal(vkGetQueryPoolResults(rig->device, samples, 2, 1, sizeof counts, counts, sizeof counts[0],
-                                           VK_QUERY_RESULT_64_BIT),
+    assert_int_equal(vkGetQueryPoolResults(rig->device, samples, 2, 1, sizeof counts, counts,
+                                           sizeof counts[0], VK_QUERY_RESULT_64_BIT),
                      VK_NOT_READY);
     CHECK(vkGetQueryPoolResults(rig->device, times, 0, 2, sizeof at, at, sizeof at[0],
                                 VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT));
@@ -122,8 +120,8 @@ static void secondary_buffers_draw_in_a_pass(void **state)
                                                   .commandPool = rig->pool,
                                                   .level = VK_COMMAND_BUFFER_LEVEL_SECONDARY,
                                                   .commandBufferCount = 1};
-    const VkCommandBufferInheritanceInfo inherits = {.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_INHERITANCE_INFO,
-                                                     .renderPass = drawing.picture.pass};
+    const VkCommandBufferInheritanceInfo inherits = {
+        .sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_INHERITANCE_INFO, .renderPass = drawing.picture.pass};
     const VkCommandBufferBeginInfo begin = {.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO,
                                             .flags = VK_COMMAND_BUFFER_USAGE_RENDER_PASS_CONTINUE_BIT |
                                                      VK_COMMAND_BUFFER_USAGE_SIMULTANEOUS_USE_BIT,
@@ -168,8 +166,8 @@ static void events_are_waited_for(void **state)
     CHECK(vkCreateEvent(rig.device, &info, NULL, &event));
     CHECK(vkCreateFence(rig.device, &fence_info, NULL, &fence));
     assert_int_equal(vkGetEventStatus(rig.device, event), VK_EVENT_RESET);
-    vkCmdWaitEvents(rig.commands, 1, &event, VK_PIPELINE_STAGE_HOST_BIT, VK_PIPELINE_STAGE_TRANSFER_BIT, 0, NULL, 0,
-                    NULL, 0, NULL);
+    vkCmdWaitEvents(rig.commands, 1, &event, VK_PIPELINE_STAGE_HOST_BIT, VK_PIPELINE_STAGE_TRANSFER_BIT, 0,
+                    NULL, 0, NULL, 0, NULL);
     vkCmdFillBuffer(rig.commands, buffer.buffer, 0, 4, 7);
     CHECK(vkEndCommandBuffer(rig.commands));
     CHECK(vkQueueSubmit(rig.queue, 1, &submit, fence));
@@ -183,117 +181,11 @@ static void events_are_waited_for(void **state)
     rig_close(&rig);
 }
 
-// A command buffer is replayed for each of two views, which have a layer each.
-static void views_are_drawn_into_their_layers(void **state)
-{
-    (void)state;
-    enum { SIDE = 4, VIEWS = 2 };
-    struct rig rig;
-    rig_open(&rig);
-    const VkImageCreateInfo image_info = {.sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO,
-                                          .imageType = VK_IMAGE_TYPE_2D,
-                                          .format = VK_FORMAT_R8G8B8A8_UNORM,
-                                          .extent = {SIDE, SIDE, 1},
-                                          .mipLevels = 1,
-                                          .arrayLayers = VIEWS,
-                                          .samples = VK_SAMPLE_COUNT_1_BIT,
-                                          .usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT |
-                                                   VK_IMAGE_USAGE_TRANSFER_SRC_BIT};
-    VkImage image;
-    VkDeviceMemory memory;
-    VkMemoryRequirements needs;
-    CHECK(vkCreateImage(rig.device, &image_info, NULL, &image));
-    vkGetImageMemoryRequirements(rig.device, image, &needs);
-    const VkMemoryAllocateInfo memory_info = {.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO,
-                                              .allocationSize = needs.size};
-    CHECK(vkAllocateMemory(rig.device, &memory_info, NULL, &memory));
-    RIG_KEEP(&rig, DEVICE_MEMORY, memory);
-    RIG_KEEP(&rig, IMAGE, image);
-    CHECK(vkBindImageMemory(rig.device, image, memory, 0));
-    const VkImageViewCreateInfo view_info = {.sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO,
-                                             .image = image,
-                                             .viewType = VK_IMAGE_VIEW_TYPE_2D_ARRAY,
-                                             .format = VK_FORMAT_R8G8B8A8_UNORM,
-                                             .subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, VIEWS}};
-    VkImageView view;
-    CHECK(vkCreateImageView(rig.device, &view_info, NULL, &view));
-    RIG_KEEP(&rig, IMAGE_VIEW, view);
-    const uint32_t mask = 3;
-    const VkRenderPassMultiviewCreateInfo multiview = {
-        .sType = VK_STRUCTURE_TYPE_RENDER_PASS_MULTIVIEW_CREATE_INFO, .subpassCount = 1, .pViewMasks = &mask};
-    const VkAttachmentDescription attachment = {.format = VK_FORMAT_R8G8B8A8_UNORM,
-                                                .samples = VK_SAMPLE_COUNT_1_BIT,
-                                                .loadOp = VK_ATTACHMENT_LOAD_OP_CLEAR,
-                                                .finalLayout = VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL};
-    const VkAttachmentReference color = {0, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL};
-    const VkSubpassDescription subpass = {.colorAttachmentCount = 1, .pColorAttachments = &color};
-    const VkSubpassDependency end = {.srcSubpass = 0,
-                                     .dstSubpass = VK_SUBPASS_EXTERNAL,
-                                     .srcStageMask = VK_PIPELINE_STAGE_COLOR_ATTACHMENT_OUTPUT_BIT,
-                                     .dstStageMask = VK_PIPELINE_STAGE_TRANSFER_BIT,
-                                     .srcAccessMask = VK_ACCESS_COLOR_ATTACHMENT_WRITE_BIT,
-                                     .dstAccessMask = VK_ACCESS_TRANSFER_READ_BIT};
-    const VkRenderPassCreateInfo pass_info = {.sType = VK_STRUCTURE_TYPE_RENDER_PASS_CREATE_INFO,
-                                              .pNext = &multiview,
-                                              .attachmentCount = 1,
-                                              .pAttachments = &attachment,
-                                              .subpassCount = 1,
-                                              .pSubpasses = &subpass,
-                                              .dependencyCount = 1,
-                                              .pDependencies = &end};
-    VkRenderPass pass;
-    CHECK(vkCreateRenderPass(rig.device, &pass_info, NULL, &pass));
-    RIG_KEEP(&rig, RENDER_PASS, pass);
-    const VkFramebufferCreateInfo framebuffer_info = {.sType = VK_STRUCTURE_TYPE_FRAMEBUFFER_CREATE_INFO,
-                                                      .renderPass = pass,
-                                                      .attachmentCount = 1,
-                                                      .pAttachments = &view,
-                                                      .width = SIDE,
-                                                      .height = SIDE,
-                                                      .layers = 1};
-    VkFramebuffer framebuffer;
-    CHECK(vkCreateFramebuffer(rig.device, &framebuffer_info, NULL, &framebuffer));
-    RIG_KEEP(&rig, FRAMEBUFFER, framebuffer);
-    struct picture_state pipeline_state;
-    const struct picture picture = {.rig = &rig, .sample_count = VK_SAMPLE_COUNT_1_BIT};
-    picture_state(&pipeline_state, &picture, rig_shader(&rig, views_vert, sizeof views_vert),
-                  rig_shader(&rig, views_frag, sizeof views_frag), rig_layout(&rig, NULL, 0, 0));
-    VkPipeline pipeline = picture_pipeline(&picture, &pipeline_state, pass, 0);
-    const VkRect2D area = {.extent = {SIDE, SIDE}}, top = {.extent = {SIDE, 2}};
-    const VkViewport viewport = {.width = SIDE, .height = SIDE, .maxDepth = 1};
-    const VkClearValue clear = {.color = {.float32 = {0, 0, 1, 1}}};
-    const VkRenderPassBeginInfo begin = {.sType = VK_STRUCTURE_TYPE_RENDER_PASS_BEGIN_INFO,
-                                         .renderPass = pass,
-                                         .framebuffer = framebuffer,
-                                         .renderArea = area,
-                                         .clearValueCount = 1,
-                                         .pClearValues = &clear};
-    vkCmdBeginRenderPass(rig.commands, &begin, VK_SUBPASS_CONTENTS_INLINE);
-    vkCmdSetViewport(rig.commands, 0, 1, &viewport);
-    vkCmdSetScissor(rig.commands, 0, 1, &top);
-    vkCmdBindPipeline(rig.commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline);
-    vkCmdDraw(rig.commands, 3, 1, 0, 0);
-    vkCmdEndRenderPass(rig.commands);
-    const struct rig_buffer texels = rig_buffer(&rig, VIEWS * SIDE * SIDE * 4, NULL);
-    const VkBufferImageCopy copy = {.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, VIEWS},
-                                    .imageExtent = {SIDE, SIDE, 1}};
-    vkCmdCopyImageToBuffer(rig.commands, image, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, texels.buffer, 1, &copy);
-    rig_run(&rig);
-    const uint8_t *const bytes = texels.bytes;
-    for (int i = 0; i < VIEWS * SIDE * SIDE; i++) {
-        const int number = i / (SIDE * SIDE);
-        const bool is_drawn = i % (SIDE * SIDE) / SIDE < 2;
-        const uint8_t drawn[4] = {(uint8_t)(64 * number), (uint8_t)number, 0, 255};
-        const uint8_t cleared[4] = {0, 0, 255, 255};
-        assert_memory_equal(bytes + 4 * i, is_drawn ? drawn : cleared, 4);
-    }
-    rig_close(&rig);
-}
-
 static const struct CMUnitTest tests[] = {
-    cmocka_unit_test(queries_count_samples_and_time),  cmocka_unit_test(attachments_are_cleared_between_draws),
-    cmocka_unit_test(secondary_buffers_draw_in_a_pass), cmocka_unit_test(events_are_waited_for),
-    cmocka_unit_test(views_are_drawn_into_their_layers),
+    cmocka_unit_test(queries_count_samples_and_time),
+    cmocka_unit_test(attachments_are_cleared_between_draws),
+    cmocka_unit_test(secondary_buffers_draw_in_a_pass),
+    cmocka_unit_test(events_are_waited_for),
 };
 
 const struct unit_tests test_vulkan_commands = UNIT_TESTS(tests, NULL, NULL);

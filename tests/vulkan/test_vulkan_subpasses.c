@@ -5,6 +5,7 @@
 #include "invert_frag.h"
 #include "quad_vert.h"
 #include "shade_frag.h"
+#include "views_vert.h"
 #include "vulkan_picture.h"
 
 // Create a pass that draws into attachment 0, and then into attachment 1, which reads the first one.
@@ -109,8 +110,74 @@ static void a_subpass_reads_what_the_one_before_drew(void **unused)
     rig_close(&rig);
 }
 
+// Create a pass that draws views 0 and 2 of an image with three layers.
+static VkRenderPass make_view_pass(struct rig *rig)
+{
+    static const uint32_t mask = 5;
+    const VkAttachmentDescription attachment = {.format = VK_FORMAT_R8G8B8A8_UNORM,
+                                                .samples = VK_SAMPLE_COUNT_1_BIT,
+                                                .loadOp = VK_ATTACHMENT_LOAD_OP_CLEAR,
+                                                .storeOp = VK_ATTACHMENT_STORE_OP_STORE,
+                                                .initialLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL,
+                                                .finalLayout = VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL};
+    const VkAttachmentReference color = {0, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL};
+    const VkSubpassDescription subpass = {.colorAttachmentCount = 1, .pColorAttachments = &color};
+    const VkRenderPassMultiviewCreateInfo views = {
+        .sType = VK_STRUCTURE_TYPE_RENDER_PASS_MULTIVIEW_CREATE_INFO, .subpassCount = 1, .pViewMasks = &mask};
+    const VkRenderPassCreateInfo info = {.sType = VK_STRUCTURE_TYPE_RENDER_PASS_CREATE_INFO,
+                                         .pNext = &views,
+                                         .attachmentCount = 1,
+                                         .pAttachments = &attachment,
+                                         .subpassCount = 1,
+                                         .pSubpasses = &subpass};
+    VkRenderPass pass;
+    CHECK(vkCreateRenderPass(rig->device, &info, NULL, &pass));
+    RIG_KEEP(rig, RENDER_PASS, pass);
+    return pass;
+}
+
+static void every_view_is_drawn_with_its_number(void **unused)
+{
+    (void)unused;
+    struct rig rig;
+    struct picture picture;
+    struct picture_state state;
+    rig_open(&rig);
+    picture_init(&picture, &rig, false, VK_SAMPLE_COUNT_1_BIT);
+    const struct rig_image image =
+        rig_layers(&rig, VK_FORMAT_R8G8B8A8_UNORM, PICTURE_SIZE, PICTURE_SIZE, 3,
+                   VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT |
+                       VK_IMAGE_USAGE_TRANSFER_DST_BIT);
+    static const uint32_t texels[3 * PICTURE_TEXELS] = {0};
+    rig_write(&rig, &image, texels, 4, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL);
+    picture.pass = make_view_pass(&rig);
+    const VkFramebufferCreateInfo info = {.sType = VK_STRUCTURE_TYPE_FRAMEBUFFER_CREATE_INFO,
+                                          .renderPass = picture.pass,
+                                          .attachmentCount = 1,
+                                          .pAttachments = &image.view,
+                                          .width = PICTURE_SIZE,
+                                          .height = PICTURE_SIZE,
+                                          .layers = 1};
+    CHECK(vkCreateFramebuffer(rig.device, &info, NULL, &picture.framebuffer));
+    RIG_KEEP(&rig, FRAMEBUFFER, picture.framebuffer);
+    picture_state(&state, &picture, rig_shader(&rig, views_vert, sizeof views_vert),
+                  rig_shader(&rig, shade_frag, sizeof shade_frag), rig_layout(&rig, NULL, 0, 0));
+    VkPipeline pipeline = picture_pipeline(&picture, &state, picture.pass, 0);
+    picture_begin(&picture);
+    vkCmdBindPipeline(rig.commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline);
+    vkCmdDraw(rig.commands, 3, 1, 0, 0);
+    picture.color = image;
+    picture_end(&picture);
+    const int layer = PICTURE_SIZE; // rows
+    assert_int_equal(picture_texel(&picture, 30, 30), 0x000000ff);
+    assert_int_equal(picture_texel(&picture, 30, layer + 30), 0);
+    assert_int_equal(picture_texel(&picture, 30, 2 * layer + 30), 0x00ff00ff);
+    rig_close(&rig);
+}
+
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(a_subpass_reads_what_the_one_before_drew),
+    cmocka_unit_test(every_view_is_drawn_with_its_number),
 };
 
 const struct unit_tests test_vulkan_subpasses = UNIT_TESTS(tests, NULL, NULL);

@@ -1,7 +1,9 @@
 #version 450
 #extension GL_EXT_multiview : require
-// A triangle over everything, at a depth that the view has.
+layout(location = 0) out vec4 shade;
 void main()
 {
-    gl_Position = vec4(gl_VertexIndex == 1 ? 3 : -1, gl_VertexIndex == 2 ? 3 : -1, 0.25 * gl_ViewIndex, 1);
+    const vec2 corners[3] = vec2[3](vec2(-1, -1), vec2(3, -1), vec2(-1, 3));
+    gl_Position = vec4(corners[gl_VertexIndex], 0, 1);
+    shade = vec4(gl_ViewIndex == 1 ? 1 : 0, gl_ViewIndex == 2 ? 1 : 0, 0, 1);
 }
