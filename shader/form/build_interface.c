@@ -115,8 +115,10 @@ static void add_built_in(struct interface_walk *walk, const struct shader_type *
                                    : sizeof built_in_inputs / sizeof *built_in_inputs;
     if (!is_output &&
         (number == SPIRV_HELPER_INVOCATION || number == SPIRV_VIEW_INDEX || number == SPIRV_DEVICE_INDEX)) {
+        const bool is_view = number == SPIRV_VIEW_INDEX;
+        builder->program->reads_view_index = builder->program->reads_view_index || is_view;
         for (uint32_t i = 0; i < type->scalars; i++) {
-            walk->scalars[walk->next++] = shader_number(builder, 0);
+            walk->scalars[walk->next++] = shader_number(builder, is_view ? builder->program->view_index : 0);
         }
         return;
     }
@@ -294,11 +296,15 @@ void shader_write_outputs(struct shader_builder *builder)
             is_set[node->operands[0]] = true;
         }
     }
-    // Only what is stored to somewhere is an output.
+    // Of what is built in, only what is stored to somewhere is an output. A vertex shader gives the fragment shader 0 for
+    // what it declares and never stores, which Vulkan leaves open.
     for (uint32_t slot = 0; slot < SHADER_OUT_COUNT; slot++) {
         const uint32_t home = builder->output_homes[slot];
         if (home != SHADER_NO_VALUE && is_set[home]) {
             write_output(builder, slot, shader_get_home(builder, home));
+        } else if (home != SHADER_NO_VALUE && builder->entry->model == SPIRV_VERTEX &&
+                   slot >= SHADER_OUT_VARYING) {
+            write_output(builder, slot, shader_number(builder, 0));
         }
     }
     for (uint32_t t = 0; builder->entry->model == SPIRV_FRAGMENT && t < MAX_TARGETS; t++) {

@@ -69,7 +69,7 @@ struct shader_program *shader_build_form(struct shader_memory *memory, const voi
     }
     struct shader_module *const module =
         shader_module_read(memory, copy_words(memory, words, count), count, constants, def->constant_count);
-    return shader_build(module, find_entry(module, def));
+    return shader_build(module, find_entry(module, def), def->view_index);
 }
 
 static void translate(rhw_shader *shader, const void *words, size_t size, const struct rhw_shader_def *def)

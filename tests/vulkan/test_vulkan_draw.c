@@ -4,6 +4,7 @@
 #include <rhw/spirv.h>
 #include <string.h>
 
+#include "half_vert.h"
 #include "place_vert.h"
 #include "quad_vert.h"
 #include "shade_frag.h"
@@ -391,6 +392,25 @@ static void draws_may_come_from_buffers(void **unused)
     rig_close(&rig);
 }
 
+static void what_a_vertex_shader_does_not_store_is_0(void **unused)
+{
+    (void)unused;
+    struct rig rig;
+    struct picture picture;
+    struct picture_state state;
+    rig_open(&rig);
+    picture_init(&picture, &rig, false, VK_SAMPLE_COUNT_1_BIT);
+    picture_state(&state, &picture, rig_shader(&rig, half_vert, sizeof half_vert),
+                  rig_shader(&rig, shade_frag, sizeof shade_frag), rig_layout(&rig, NULL, 0, 0));
+    VkPipeline pipeline = picture_pipeline(&picture, &state, picture.pass, 0);
+    picture_begin(&picture);
+    bind(&rig, pipeline);
+    vkCmdDraw(rig.commands, 3, 1, 0, 0);
+    picture_end(&picture);
+    assert_int_equal(picture_texel(&picture, 5, 60), 0x00ff0000);
+    rig_close(&rig);
+}
+
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(a_triangle_has_the_bytes_of_librhw),
     cmocka_unit_test(push_constants_change_from_draw_to_draw),
@@ -400,6 +420,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(dynamic_state_is_that_of_the_last_command),
     cmocka_unit_test(samples_are_resolved),
     cmocka_unit_test(draws_may_come_from_buffers),
+    cmocka_unit_test(what_a_vertex_shader_does_not_store_is_0),
 };
 
 const struct unit_tests test_vulkan_draw = UNIT_TESTS(tests, NULL, NULL);

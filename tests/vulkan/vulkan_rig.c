@@ -72,7 +72,10 @@ void rig_open(struct rig *rig)
         .sType = VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO, .queueCount = 1, .pQueuePriorities = &priority};
     VkPhysicalDeviceFeatures features;
     vkGetPhysicalDeviceFeatures(rig->physical, &features);
+    VkPhysicalDeviceMultiviewFeatures views = {.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MULTIVIEW_FEATURES,
+                                               .multiview = VK_TRUE};
     const VkDeviceCreateInfo info = {.sType = VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO,
+                                     .pNext = &views,
                                      .queueCreateInfoCount = 1,
                                      .pQueueCreateInfos = &queue,
                                      .pEnabledFeatures = &features};
@@ -209,33 +212,58 @@ static VkImageAspectFlags aspect_of(VkFormat format)
                : VK_IMAGE_ASPECT_COLOR_BIT;
 }
 
-struct rig_image rig_image(struct rig *rig, VkFormat format, uint32_t width, uint32_t height,
-                           VkSampleCountFlagBits samples, VkImageUsageFlags usage)
+static struct rig_image make_image(struct rig *rig, const VkImageCreateInfo *info, VkImageViewType type)
 {
-    struct rig_image made = {.format = format, .width = width, .height = height};
-    const VkImageCreateInfo info = {.sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO,
-                                    .imageType = VK_IMAGE_TYPE_2D,
-                                    .format = format,
-                                    .extent = {width, height, 1},
-                                    .mipLevels = 1,
-                                    .arrayLayers = 1,
-                                    .samples = samples,
-                                    .usage = usage};
+    struct rig_image made = {.format = info->format,
+                             .width = info->extent.width,
+                             .height = info->extent.height,
+                             .layers = info->arrayLayers};
     VkMemoryRequirements needs;
-    CHECK(vkCreateImage(rig->device, &info, NULL, &made.image));
+    CHECK(vkCreateImage(rig->device, info, NULL, &made.image));
     vkGetImageMemoryRequirements(rig->device, made.image, &needs);
     VkDeviceMemory memory = allocate(rig, &needs, false);
     RIG_KEEP(rig, IMAGE, made.image);
     CHECK(vkBindImageMemory(rig->device, made.image, memory, 0));
-    const VkImageViewCreateInfo view = {
-        .sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO,
-        .image = made.image,
-        .viewType = VK_IMAGE_VIEW_TYPE_2D,
-        .format = format,
-        .subresourceRange = {.aspectMask = aspect_of(format), .levelCount = 1, .layerCount = 1}};
+    const VkImageViewCreateInfo view = {.sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO,
+                                        .image = made.image,
+                                        .viewType = type,
+                                        .format = made.format,
+                                        .subresourceRange = {.aspectMask = aspect_of(made.format),
+                                                             .levelCount = 1,
+                                                             .layerCount = made.layers}};
     CHECK(vkCreateImageView(rig->device, &view, NULL, &made.view));
     RIG_KEEP(rig, IMAGE_VIEW, made.view);
     return made;
+}
+
+struct rig_image rig_image(struct rig *rig, VkFormat format, uint32_t width, uint32_t height,
+                           VkSampleCountFlagBits samples, VkImageUsageFlags usage)
+{
+    return make_image(rig,
+                      &(VkImageCreateInfo){.sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO,
+                                           .imageType = VK_IMAGE_TYPE_2D,
+                                           .format = format,
+                                           .extent = {width, height, 1},
+                                           .mipLevels = 1,
+                                           .arrayLayers = 1,
+                                           .samples = samples,
+                                           .usage = usage},
+                      VK_IMAGE_VIEW_TYPE_2D);
+}
+
+struct rig_image rig_layers(struct rig *rig, VkFormat format, uint32_t width, uint32_t height,
+                            uint32_t layers, VkImageUsageFlags usage)
+{
+    return make_image(rig,
+                      &(VkImageCreateInfo){.sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO,
+                                           .imageType = VK_IMAGE_TYPE_2D,
+                                           .format = format,
+                                           .extent = {width, height, 1},
+                                           .mipLevels = 1,
+                                           .arrayLayers = layers,
+                                           .samples = VK_SAMPLE_COUNT_1_BIT,
+                                           .usage = usage},
+                      VK_IMAGE_VIEW_TYPE_2D_ARRAY);
 }
 
 // Transfer -------------------------------------------------------------------------------------------
@@ -251,7 +279,8 @@ void rig_barrier(struct rig *rig, const struct rig_image *image, VkImageLayout f
         .srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
         .dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
         .image = image->image,
-        .subresourceRange = {.aspectMask = aspect_of(image->format), .levelCount = 1, .layerCount = 1}};
+        .subresourceRange = {
+            .aspectMask = aspect_of(image->format), .levelCount = 1, .layerCount = image->layers}};
     vkCmdPipelineBarrier(rig->commands, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT,
                          VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, 0, 0, NULL, 0, NULL, 1, &barrier);
 }
@@ -260,7 +289,7 @@ static VkBufferImageCopy whole(const struct rig_image *image)
 {
     return (VkBufferImageCopy){
         .imageSubresource = {.aspectMask = aspect_of(image->format) & ~(uint32_t)VK_IMAGE_ASPECT_STENCIL_BIT,
-                             .layerCount = 1},
+                             .layerCount = image->layers},
         .imageExtent = {image->width, image->height, 1}};
 }
 
@@ -268,7 +297,7 @@ struct rig_buffer rig_read(struct rig *rig, const struct rig_image *image, size_
 {
     const VkBufferImageCopy copy = whole(image);
     const struct rig_buffer buffer =
-        rig_buffer(rig, (VkDeviceSize)image->width * image->height * texel_size, NULL);
+        rig_buffer(rig, (VkDeviceSize)image->width * image->height * image->layers * texel_size, NULL);
     vkCmdCopyImageToBuffer(rig->commands, image->image, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, buffer.buffer,
                            1, &copy);
     return buffer;
@@ -279,7 +308,7 @@ void rig_write(struct rig *rig, const struct rig_image *image, const void *texel
 {
     const VkBufferImageCopy copy = whole(image);
     const struct rig_buffer buffer =
-        rig_buffer(rig, (VkDeviceSize)image->width * image->height * texel_size, texels);
+        rig_buffer(rig, (VkDeviceSize)image->width * image->height * image->layers * texel_size, texels);
     rig_barrier(rig, image, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL);
     vkCmdCopyBufferToImage(rig->commands, buffer.buffer, image->image, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
                            1, &copy);

@@ -51,11 +51,15 @@ struct rig_image {
     VkImage image;
     VkImageView view;
     VkFormat format;
-    uint32_t width, height;
+    uint32_t width, height, layers;
 };
 
 struct rig_image rig_image(struct rig *rig, VkFormat format, uint32_t width, uint32_t height,
                            VkSampleCountFlagBits samples, VkImageUsageFlags usage);
+
+// The same with layers, of which the view has all.
+struct rig_image rig_layers(struct rig *rig, VkFormat format, uint32_t width, uint32_t height,
+                            uint32_t layers, VkImageUsageFlags usage);
 
 // Let an image go from one layout to another.
 void rig_barrier(struct rig *rig, const struct rig_image *image, VkImageLayout from, VkImageLayout to);

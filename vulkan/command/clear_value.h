@@ -6,8 +6,8 @@
 #include "rhw/rhw.h"
 #include <vulkan/vulkan_core.h>
 
-// Set `color` or `integer` to a colour of a format, and the other one to 0. Integers are cut to the bits that the format
-// has.
+// Set `color` or `integer` to a colour of a format, and the other one to 0. Integers are cut to the bits that the
+// format has.
 void vulkan_clear_color(enum rhw_format format, const VkClearColorValue *value, float color[4],
                         int32_t integer[4]);
 

@@ -16,10 +16,11 @@ static void dispatch(struct vulkan_replay *replay, const uint32_t base[3], const
         !vulkan_shader_input_push(replay, point->pipeline->push_size, &frame)) {
         return;
     }
-    const struct rhw_dispatch_def def = {.program = *rhw_shader_program_get_compute(point->pipeline->program),
-                                         .uniforms = &frame,
-                                         .uniform_bytes = sizeof frame,
-                                         .base = {base[0], base[1], base[2]}};
+    const struct rhw_dispatch_def def = {
+        .program = *rhw_shader_program_get_compute(point->pipeline->variants[0].program),
+        .uniforms = &frame,
+        .uniform_bytes = sizeof frame,
+        .base = {base[0], base[1], base[2]}};
     (void)vulkan_replay_check(replay, rhw_dispatch(replay->context, &def, counts[0], counts[1], counts[2]),
                               "a dispatch");
 }

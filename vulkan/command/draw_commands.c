@@ -1,17 +1,26 @@
 // SPDX-License-Identifier: MIT
 // Draws. Each tells the pass of librhw what was bound since the last one, and opens the pass if there is none.
+#include "pipeline/pipeline_state.h"
 #include "shader_input.h"
 #include <string.h>
 
 // Telling --------------------------------------------------------------------------------------------
 
-// Create the pipeline of librhw if it is not there. Return false if that fails.
-static bool create_pipeline(struct vulkan_replay *replay, VkPipeline pipeline)
+// Create the pipeline of librhw for the view that is drawn, if it is not there. Return NULL if that fails.
+static const rhw_pipeline *find_pipeline(struct vulkan_replay *replay, VkPipeline pipeline)
 {
-    return pipeline->pipeline.generation != 0 ||
-           vulkan_replay_check(replay,
-                               rhw_pipeline_create(replay->context, &pipeline->def, &pipeline->pipeline),
-                               "a graphics pipeline");
+    const uint32_t view = pipeline->variant_count > 1 ? replay->pass.view_index : 0;
+    struct vulkan_variant *const variant = view < pipeline->variant_count ? &pipeline->variants[view] : NULL;
+    if (!variant || !variant->program) {
+        return NULL; // a render pass with other views, which Vulkan forbids
+    }
+    if (variant->pipeline.generation == 0) {
+        struct rhw_pipeline_def def;
+        vulkan_pipeline_definition(pipeline, view, &def);
+        (void)vulkan_replay_check(replay, rhw_pipeline_create(replay->context, &def, &variant->pipeline),
+                                  "a graphics pipeline");
+    }
+    return variant->pipeline.generation != 0 ? &variant->pipeline : NULL;
 }
 
 static void tell_dynamic(struct vulkan_replay *replay, VkPipeline pipeline, bool is_new)
@@ -88,7 +97,8 @@ static bool begin_draw(struct vulkan_replay *replay, bool is_indexed)
 {
     struct vulkan_bound *const bound = &replay->bound;
     VkPipeline pipeline = bound->graphics.pipeline;
-    if (!pipeline || !create_pipeline(replay, pipeline) || !vulkan_pass_open(replay, pipeline->samples)) {
+    const rhw_pipeline *const id = pipeline ? find_pipeline(replay, pipeline) : NULL;
+    if (!id || !vulkan_pass_open(replay, pipeline->samples)) {
         return false;
     }
     if (!bound->is_told) {
@@ -98,7 +108,7 @@ static bool begin_draw(struct vulkan_replay *replay, bool is_indexed)
     }
     const bool is_new = bound->news & VULKAN_NEWS_PIPELINE;
     if (is_new) {
-        rhw_pass_set_pipeline(replay->context, replay->pass.pass, pipeline->pipeline);
+        rhw_pass_set_pipeline(replay->context, replay->pass.pass, *id);
         bound->news &= ~(uint32_t)VULKAN_NEWS_PIPELINE;
     }
     tell_dynamic(replay, pipeline, is_new);

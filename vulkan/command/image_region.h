@@ -19,7 +19,7 @@ struct vulkan_rows {
 // Numbers of texels or blocks.
 struct vulkan_units {
     uint32_t width, height, depth;
-    size_t bytes; ///< of each
+    size_t bytes; ///< bytes of each
 };
 
 // Return an extent in texels as an extent in blocks, or in texels of a format that is not compressed.

@@ -163,14 +163,14 @@ static struct rhw_pass_def definition(struct vulkan_replay *replay, uint32_t sam
         .render_area = {pass->area.offset.x, pass->area.offset.y, (int)pass->area.extent.width,
                         (int)pass->area.extent.height},
     };
-    bool has_color = false;
     for (uint32_t i = 0; i < pass->subpass->color_count; i++) {
         set_color(replay, i, &def.colors[i]);
-        has_color = has_color || def.colors[i].texture.context != 0;
+        if (def.colors[i].texture.context != 0) {
+            def.color_count = (int)i + 1; // those that are left out at the end do not count, as in pipelines
+        }
     }
-    def.color_count = has_color ? (int)pass->subpass->color_count : 0;
     set_depth(replay, &def.depth);
-    def.layers = has_color || def.depth.enabled ? 0 : layer_count(pass);
+    def.layers = def.color_count > 0 || def.depth.enabled ? 0 : layer_count(pass);
     return def;
 }
 

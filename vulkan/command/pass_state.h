@@ -7,7 +7,9 @@
 #include "pass/render_pass.h"
 #include "resource/image_view.h"
 
-enum { VULKAN_MAX_ATTACHMENTS = 64 }; // of a render pass
+enum {
+    VULKAN_MAX_ATTACHMENTS = 64 ///< attachments of a render pass
+};
 
 // A command in its chunk.
 struct vulkan_replay_place {
@@ -24,7 +26,7 @@ struct vulkan_pass_state {
     uint32_t
         loaded[VULKAN_MAX_ATTACHMENTS]; ///< views in which the attachment has been loaded or cleared, as bits
     VkRect2D area;
-    uint32_t width, height, layers;   ///< of the framebuffer
+    uint32_t width, height, layers;   ///< size of the framebuffer
     uint32_t samples;                 ///< samples of the pass of librhw that is open
     uint32_t view_index;              ///< view that is drawn; 0 without multiview
     bool splits;                      ///< the subpass has barriers inside

@@ -11,7 +11,7 @@ struct VkDevice_T {
     VkPhysicalDevice physical;
     VkAllocationCallbacks callbacks;
     vulkan_extension_set extensions;
-    VkPhysicalDeviceFeatures features; ///< those that the program switched on
+    VkPhysicalDeviceFeatures features; ///< features that the program switched on
     enum rhw_isa isa;                  ///< instruction set of the queue's context
     struct VkQueue_T queue;
 };

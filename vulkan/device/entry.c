@@ -12,11 +12,6 @@ struct entry {
     unsigned needs;
 };
 
-// Entries that are not there yet are NULL.
-#define ENTRY(name, function, level, needs) __attribute__((weak)) __typeof__(function) function;
-#include "entries.inc"
-#undef ENTRY
-
 static const struct entry entries[] = {
 #define ENTRY(name, function, level, needs) \
     {#name, (PFN_vkVoidFunction)function, VULKAN_LEVEL_##level, VULKAN_##needs},

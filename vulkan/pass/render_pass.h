@@ -25,7 +25,7 @@ struct vulkan_subpass {
     VkImageLayout depth_layout, stencil_layout;
     VkResolveModeFlagBits depth_resolve_mode, stencil_resolve_mode;
     uint32_t view_mask; ///< 0 without multiview
-    uint32_t samples;   ///< of its attachments; 0 if it has none
+    uint32_t samples;   ///< samples of its attachments; 0 if it has none
 };
 
 struct VkRenderPass_T {

@@ -5,22 +5,19 @@
 static VkResult create_pipeline(VkDevice device, const VkComputePipelineCreateInfo *info,
                                 const VkAllocationCallbacks *allocator, VkPipeline *pipeline)
 {
-    *pipeline = VK_NULL_HANDLE;
-    VkPipeline made = vulkan_device_allocate(device, allocator, sizeof *made);
-    if (!made) {
-        return VK_ERROR_OUT_OF_HOST_MEMORY;
-    }
-    made->point = VK_PIPELINE_BIND_POINT_COMPUTE;
     rhw_shader *shader = NULL;
-    VkResult result = vulkan_shader_create(&info->stage, &shader);
+    *pipeline = VK_NULL_HANDLE;
+    VkResult result = vulkan_shader_create(&info->stage, 0, &shader);
     if (result == VK_SUCCESS) {
-        result =
-            vulkan_pipeline_link(made, info->layout, &(struct rhw_shader_program_def){.compute = shader});
-    }
-    if (result == VK_SUCCESS) {
-        *pipeline = made;
-    } else {
-        vulkan_pipeline_free(device, allocator, made);
+        VkPipeline made =
+            vulkan_pipeline_allocate(device, allocator, VK_PIPELINE_BIND_POINT_COMPUTE, info->layout, 1);
+        result = made ? vulkan_pipeline_link(made, 0, &(struct rhw_shader_program_def){.compute = shader})
+                      : VK_ERROR_OUT_OF_HOST_MEMORY;
+        if (result == VK_SUCCESS) {
+            *pipeline = made;
+        } else {
+            vulkan_pipeline_free(device, allocator, made);
+        }
     }
     rhw_shader_destroy(shader);
     return result;

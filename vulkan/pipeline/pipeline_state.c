@@ -111,15 +111,6 @@ static void fill_rasterization(VkPipeline pipeline, const VkPipelineRasterizatio
                                   given->depthBiasSlopeFactor);
 }
 
-// Let the fragment function be called for every sample, with the values there.
-static void shade_samples(struct rhw_program *program)
-{
-    for (int i = 0; i < program->varying_count; i++) {
-        program->varyings[i].sampling = RHW_SAMPLING_SAMPLE;
-    }
-    program->uses |= RHW_USE_SAMPLE;
-}
-
 static void fill_multisampling(VkPipeline pipeline, const VkPipelineMultisampleStateCreateInfo *given)
 {
     struct rhw_pipeline_def *const def = &pipeline->def;
@@ -135,7 +126,7 @@ static void fill_multisampling(VkPipeline pipeline, const VkPipelineMultisampleS
     }
     if (given->sampleShadingEnable && has_fragment && pipeline->samples > 1 &&
         given->minSampleShading * (float)pipeline->samples > 1) {
-        shade_samples(&def->program);
+        pipeline->shades_samples = true;
     }
 }
 
@@ -252,7 +243,7 @@ void vulkan_pipeline_state_fill(VkPipeline pipeline, const VkGraphicsPipelineCre
     for (uint32_t i = 0; info->pDynamicState && i < info->pDynamicState->dynamicStateCount; i++) {
         pipeline->dynamic |= vulkan_dynamic_of(info->pDynamicState->pDynamicStates[i]);
     }
-    pipeline->def.program = *rhw_shader_program_get(pipeline->program);
+    pipeline->def.program = *rhw_shader_program_get(pipeline->variants[0].program);
     pipeline->samples = 1;
     pipeline->state.line_width = 1;
     pipeline->state.depth_bounds[1] = 1;
@@ -271,4 +262,22 @@ void vulkan_pipeline_state_fill(VkPipeline pipeline, const VkGraphicsPipelineCre
         fill_depth_stencil(pipeline, info->pDepthStencilState, depth);
     }
     fill_targets(pipeline, is_drawn ? info->pColorBlendState : NULL, colors, color_count);
+}
+
+// Let the fragment function be called for every sample, with the values there.
+static void shade_samples(struct rhw_program *program)
+{
+    for (int i = 0; i < program->varying_count; i++) {
+        program->varyings[i].sampling = RHW_SAMPLING_SAMPLE;
+    }
+    program->uses |= RHW_USE_SAMPLE;
+}
+
+void vulkan_pipeline_definition(VkPipeline pipeline, uint32_t variant, struct rhw_pipeline_def *def)
+{
+    *def = pipeline->def;
+    def->program = *rhw_shader_program_get(pipeline->variants[variant].program);
+    if (pipeline->shades_samples) {
+        shade_samples(&def->program);
+    }
 }

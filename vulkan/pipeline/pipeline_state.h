@@ -10,4 +10,7 @@
 void vulkan_pipeline_state_fill(VkPipeline pipeline, const VkGraphicsPipelineCreateInfo *info,
                                 const struct rhw_shader_info *inputs);
 
+// Set *def to the definition with the program of a variant.
+void vulkan_pipeline_definition(VkPipeline pipeline, uint32_t variant, struct rhw_pipeline_def *def);
+
 #endif

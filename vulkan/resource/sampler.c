@@ -73,9 +73,7 @@ static struct rhw_sampler_def definition(const VkSamplerCreateInfo *info)
     }
     set_levels(info, &def);
     def.compares = info->compareEnable;
-    if (info->compareEnable) {
-        def.compare = vulkan_compare(info->compareOp);
-    }
+    def.compare = info->compareEnable ? vulkan_compare(info->compareOp) : RHW_COMPARE_LESS;
     return def;
 }
 
