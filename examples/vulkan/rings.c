@@ -14,6 +14,7 @@
 enum { WIDTH = 640, HEIGHT = 480, RINGS = 16, STEPS = 64, ATTACHMENTS = 3, NO_DRIVER = 77 };
 
 static const VkFormat COLOR = VK_FORMAT_R8G8B8A8_SRGB, DEPTH = VK_FORMAT_D32_SFLOAT;
+static const VkShaderStageFlags SCENE_STAGES = VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT;
 
 // What the shaders call Scene.
 struct scene {
@@ -257,7 +258,7 @@ int main(int argc, char **argv)
         VK_STRUCTURE_TYPE_FRAMEBUFFER_CREATE_INFO, NULL, 0, pass, ATTACHMENTS, views, WIDTH, HEIGHT, 1};
     VkFramebuffer framebuffer;
     MUST(vkCreateFramebuffer(device, &framebuffer_info, NULL, &framebuffer));
-    const VkPushConstantRange range = {VK_SHADER_STAGE_ALL_GRAPHICS, 0, sizeof(struct scene)};
+    const VkPushConstantRange range = {SCENE_STAGES, 0, sizeof(struct scene)};
     const VkPipelineLayoutCreateInfo layout_info = {VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO,
                                                     .pushConstantRangeCount = 1,
                                                     .pPushConstantRanges = &range};
