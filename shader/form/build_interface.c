@@ -296,8 +296,8 @@ void shader_write_outputs(struct shader_builder *builder)
             is_set[node->operands[0]] = true;
         }
     }
-    // Of what is built in, only what is stored to somewhere is an output. A vertex shader gives the fragment shader 0 for
-    // what it declares and never stores, which Vulkan leaves open.
+    // A built-in variable is an output only if it is stored to somewhere. A vertex shader gives the fragment shader 0
+    // for what it declares and never stores, which Vulkan leaves open.
     for (uint32_t slot = 0; slot < SHADER_OUT_COUNT; slot++) {
         const uint32_t home = builder->output_homes[slot];
         if (home != SHADER_NO_VALUE && is_set[home]) {

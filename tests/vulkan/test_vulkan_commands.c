@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Commands beside draws: queries, secondary command buffers, clears of attachments and events.
+// Commands beside draws: queries, secondary command buffers, clears of attachments, events, timelines and renderings.
 #include <string.h>
 
 #include "quad_vert.h"
@@ -181,11 +181,126 @@ static void events_are_waited_for(void **state)
     rig_close(&rig);
 }
 
+// A timeline is waited for by what is submitted, and by the program; the program signals it too.
+static void timelines_count(void **state)
+{
+    (void)state;
+    struct rig rig;
+    rig_open(&rig);
+    const VkSemaphoreTypeCreateInfo type = {.sType = VK_STRUCTURE_TYPE_SEMAPHORE_TYPE_CREATE_INFO,
+                                            .semaphoreType = VK_SEMAPHORE_TYPE_TIMELINE,
+                                            .initialValue = 3};
+    const VkSemaphoreCreateInfo info = {.sType = VK_STRUCTURE_TYPE_SEMAPHORE_CREATE_INFO, .pNext = &type};
+    const struct rig_buffer buffer = rig_buffer(&rig, 4, NULL);
+    const uint64_t five = 5, six = 6;
+    uint64_t value = 0;
+    VkSemaphore semaphore;
+    const PFN_vkGetSemaphoreCounterValueKHR get =
+        (PFN_vkGetSemaphoreCounterValueKHR)vkGetDeviceProcAddr(rig.device, "vkGetSemaphoreCounterValueKHR");
+    const PFN_vkWaitSemaphoresKHR wait_for =
+        (PFN_vkWaitSemaphoresKHR)vkGetDeviceProcAddr(rig.device, "vkWaitSemaphoresKHR");
+    const PFN_vkSignalSemaphoreKHR signal_to =
+        (PFN_vkSignalSemaphoreKHR)vkGetDeviceProcAddr(rig.device, "vkSignalSemaphoreKHR");
+    CHECK(vkCreateSemaphore(rig.device, &info, NULL, &semaphore));
+    const VkTimelineSemaphoreSubmitInfo values = {.sType = VK_STRUCTURE_TYPE_TIMELINE_SEMAPHORE_SUBMIT_INFO,
+                                                  .waitSemaphoreValueCount = 1,
+                                                  .pWaitSemaphoreValues = &five,
+                                                  .signalSemaphoreValueCount = 1,
+                                                  .pSignalSemaphoreValues = &six};
+    const VkPipelineStageFlags stages = VK_PIPELINE_STAGE_ALL_COMMANDS_BIT;
+    const VkSubmitInfo submit = {.sType = VK_STRUCTURE_TYPE_SUBMIT_INFO,
+                                 .pNext = &values,
+                                 .waitSemaphoreCount = 1,
+                                 .pWaitSemaphores = &semaphore,
+                                 .pWaitDstStageMask = &stages,
+                                 .commandBufferCount = 1,
+                                 .pCommandBuffers = &rig.commands,
+                                 .signalSemaphoreCount = 1,
+                                 .pSignalSemaphores = &semaphore};
+    const VkSemaphoreWaitInfo wait = {.sType = VK_STRUCTURE_TYPE_SEMAPHORE_WAIT_INFO,
+                                      .semaphoreCount = 1,
+                                      .pSemaphores = &semaphore,
+                                      .pValues = &six};
+    vkCmdFillBuffer(rig.commands, buffer.buffer, 0, 4, 9);
+    CHECK(vkEndCommandBuffer(rig.commands));
+    CHECK(vkQueueSubmit(rig.queue, 1, &submit, VK_NULL_HANDLE));
+    assert_int_equal(wait_for(rig.device, &wait, 1000000), VK_TIMEOUT);
+    CHECK(get(rig.device, semaphore, &value));
+    assert_int_equal(value, 3);
+    assert_int_equal(*(const uint32_t *)buffer.bytes, 0);
+    CHECK(signal_to(rig.device, &(VkSemaphoreSignalInfo){.sType = VK_STRUCTURE_TYPE_SEMAPHORE_SIGNAL_INFO,
+                                                         .semaphore = semaphore,
+                                                         .value = five}));
+    CHECK(wait_for(rig.device, &wait, UINT64_MAX));
+    CHECK(get(rig.device, semaphore, &value));
+    assert_int_equal(value, 6);
+    assert_int_equal(*(const uint32_t *)buffer.bytes, 9);
+    CHECK(vkDeviceWaitIdle(rig.device));
+    vkDestroySemaphore(rig.device, semaphore, NULL);
+    rig_close(&rig);
+}
+
+// Four samples are cleared, in two renderings that are one, and resolved at the end of the second.
+static void renderings_need_no_render_pass(void **state)
+{
+    (void)state;
+    enum { SIDE = 8 };
+    struct rig rig;
+    rig_open(&rig);
+    const PFN_vkCmdBeginRenderingKHR begin =
+        (PFN_vkCmdBeginRenderingKHR)vkGetDeviceProcAddr(rig.device, "vkCmdBeginRenderingKHR");
+    const PFN_vkCmdEndRenderingKHR end =
+        (PFN_vkCmdEndRenderingKHR)vkGetDeviceProcAddr(rig.device, "vkCmdEndRenderingKHR");
+    const VkImageUsageFlags usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
+    const struct rig_image many =
+        rig_image(&rig, VK_FORMAT_R8G8B8A8_UNORM, SIDE, SIDE, VK_SAMPLE_COUNT_4_BIT, usage);
+    const struct rig_image one =
+        rig_image(&rig, VK_FORMAT_R8G8B8A8_UNORM, SIDE, SIDE, VK_SAMPLE_COUNT_1_BIT, usage);
+    VkRenderingAttachmentInfo color = {.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO,
+                                       .imageView = many.view,
+                                       .imageLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL,
+                                       .loadOp = VK_ATTACHMENT_LOAD_OP_CLEAR,
+                                       .storeOp = VK_ATTACHMENT_STORE_OP_STORE,
+                                       .clearValue = {.color = {.float32 = {0, 1, 0, 1}}}};
+    const VkRenderingInfo info = {.sType = VK_STRUCTURE_TYPE_RENDERING_INFO,
+                                  .renderArea = {.extent = {SIDE, SIDE}},
+                                  .layerCount = 1,
+                                  .colorAttachmentCount = 1,
+                                  .pColorAttachments = &color};
+    const VkClearAttachment blue = {.aspectMask = VK_IMAGE_ASPECT_COLOR_BIT,
+                                    .clearValue = {.color = {.float32 = {0, 0, 1, 1}}}};
+    const VkClearRect left = {{{0, 0}, {2, SIDE}}, 0, 1};
+    rig_barrier(&rig, &many, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL);
+    rig_barrier(&rig, &one, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL);
+    begin(rig.commands, &info);
+    end(rig.commands);
+    rig_barrier(&rig, &many, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL,
+                VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL);
+    color.loadOp = VK_ATTACHMENT_LOAD_OP_LOAD;
+    color.storeOp = VK_ATTACHMENT_STORE_OP_DONT_CARE;
+    color.resolveMode = VK_RESOLVE_MODE_AVERAGE_BIT;
+    color.resolveImageView = one.view;
+    color.resolveImageLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
+    begin(rig.commands, &info);
+    vkCmdClearAttachments(rig.commands, 1, &blue, 1, &left);
+    end(rig.commands);
+    rig_barrier(&rig, &one, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL);
+    const struct rig_buffer texels = rig_read(&rig, &one, 4);
+    rig_run(&rig);
+    for (int i = 0; i < SIDE * SIDE; i++) {
+        const uint8_t green_or_blue[4] = {0, i % SIDE < 2 ? 0 : 255, i % SIDE < 2 ? 255 : 0, 255};
+        assert_memory_equal((const uint8_t *)texels.bytes + 4 * i, green_or_blue, 4);
+    }
+    rig_close(&rig);
+}
+
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(queries_count_samples_and_time),
     cmocka_unit_test(attachments_are_cleared_between_draws),
     cmocka_unit_test(secondary_buffers_draw_in_a_pass),
     cmocka_unit_test(events_are_waited_for),
+    cmocka_unit_test(timelines_count),
+    cmocka_unit_test(renderings_need_no_render_pass),
 };
 
 const struct unit_tests test_vulkan_commands = UNIT_TESTS(tests, NULL, NULL);

@@ -383,6 +383,57 @@ static void linear_images_are_written_by_the_program(void **state)
     rig_close(&rig);
 }
 
+// Two images stand on one memory. One that comes back from UNDEFINED is cleared all over, though it was before.
+static void images_may_share_memory(void **state)
+{
+    (void)state;
+    enum { SIZE = 128, TEXELS = SIZE * SIZE };
+    struct rig rig;
+    rig_open(&rig);
+    VkImage images[2];
+    VkDeviceMemory memory = VK_NULL_HANDLE;
+    const VkExtent3D extent = {SIZE, SIZE, 1};
+    for (int i = 0; i < 2; i++) {
+        const VkImageCreateInfo info = {.sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO,
+                                        .flags = VK_IMAGE_CREATE_ALIAS_BIT,
+                                        .imageType = VK_IMAGE_TYPE_2D,
+                                        .format = VK_FORMAT_R8G8B8A8_UNORM,
+                                        .extent = extent,
+                                        .mipLevels = 1,
+                                        .arrayLayers = 1,
+                                        .samples = VK_SAMPLE_COUNT_1_BIT,
+                                        .usage = both};
+        VkMemoryRequirements needs;
+        CHECK(vkCreateImage(rig.device, &info, NULL, &images[i]));
+        vkGetImageMemoryRequirements(rig.device, images[i], &needs);
+        if (i == 0) {
+            const VkMemoryAllocateInfo memory_info = {.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO,
+                                                      .allocationSize = needs.size};
+            CHECK(vkAllocateMemory(rig.device, &memory_info, NULL, &memory));
+            RIG_KEEP(&rig, DEVICE_MEMORY, memory);
+        }
+        RIG_KEEP(&rig, IMAGE, images[i]);
+        CHECK(vkBindImageMemory(rig.device, images[i], memory, 0));
+    }
+    const VkImageSubresourceRange all = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
+    const VkClearColorValue green = {.float32 = {0, 1, 0, 1}}, blue = {.float32 = {0, 0, 1, 1}};
+    const int order[3] = {0, 1, 0};
+    for (int i = 0; i < 3; i++) {
+        settle(&rig, images[order[i]], VK_IMAGE_ASPECT_COLOR_BIT, VK_IMAGE_LAYOUT_UNDEFINED);
+        vkCmdClearColorImage(rig.commands, images[order[i]], VK_IMAGE_LAYOUT_GENERAL,
+                             order[i] == 0 ? &green : &blue, 1, &all);
+    }
+    settle_color(&rig, images[0]);
+    const struct rig_buffer texels = rig_buffer(&rig, TEXELS * 4, NULL);
+    const VkBufferImageCopy read = region_of(VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1, extent);
+    to_buffer(&rig, images[0], texels.buffer, &read);
+    rig_run(&rig);
+    for (int i = 0; i < TEXELS; i++) {
+        assert_int_equal(((const uint32_t *)texels.bytes)[i], 0xff00ff00u);
+    }
+    rig_close(&rig);
+}
+
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(buffers_are_copied_filled_and_updated),
     cmocka_unit_test(clears_have_the_bits_of_the_format),
@@ -393,6 +444,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(a_blit_scales_and_mirrors),
     cmocka_unit_test(samples_are_averaged),
     cmocka_unit_test(linear_images_are_written_by_the_program),
+    cmocka_unit_test(images_may_share_memory),
 };
 
 const struct unit_tests test_vulkan_copy = UNIT_TESTS(tests, NULL, NULL);

@@ -2,6 +2,7 @@
 // Render passes of several subpasses, which read what those before them drew.
 #include <string.h>
 
+#include "halve_frag.h"
 #include "invert_frag.h"
 #include "quad_vert.h"
 #include "shade_frag.h"
@@ -110,6 +111,94 @@ static void a_subpass_reads_what_the_one_before_drew(void **unused)
     rig_close(&rig);
 }
 
+// Create a pass whose only subpass draws into the attachment that it reads.
+static VkRenderPass make_feedback_pass(struct rig *rig)
+{
+    const VkAttachmentDescription attachment = {.format = VK_FORMAT_R8G8B8A8_UNORM,
+                                                .samples = VK_SAMPLE_COUNT_1_BIT,
+                                                .loadOp = VK_ATTACHMENT_LOAD_OP_CLEAR,
+                                                .storeOp = VK_ATTACHMENT_STORE_OP_STORE,
+                                                .finalLayout = VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL};
+    const VkAttachmentReference general = {0, VK_IMAGE_LAYOUT_GENERAL};
+    const VkSubpassDescription subpass = {.colorAttachmentCount = 1,
+                                          .pColorAttachments = &general,
+                                          .inputAttachmentCount = 1,
+                                          .pInputAttachments = &general};
+    const VkSubpassDependency own = {.srcStageMask = VK_PIPELINE_STAGE_COLOR_ATTACHMENT_OUTPUT_BIT,
+                                     .dstStageMask = VK_PIPELINE_STAGE_FRAGMENT_SHADER_BIT,
+                                     .srcAccessMask = VK_ACCESS_COLOR_ATTACHMENT_WRITE_BIT,
+                                     .dstAccessMask = VK_ACCESS_INPUT_ATTACHMENT_READ_BIT,
+                                     .dependencyFlags = VK_DEPENDENCY_BY_REGION_BIT};
+    const VkRenderPassCreateInfo info = {.sType = VK_STRUCTURE_TYPE_RENDER_PASS_CREATE_INFO,
+                                         .attachmentCount = 1,
+                                         .pAttachments = &attachment,
+                                         .subpassCount = 1,
+                                         .pSubpasses = &subpass,
+                                         .dependencyCount = 1,
+                                         .pDependencies = &own};
+    VkRenderPass pass;
+    CHECK(vkCreateRenderPass(rig->device, &info, NULL, &pass));
+    RIG_KEEP(rig, RENDER_PASS, pass);
+    return pass;
+}
+
+static void wait_for_colors(const struct rig *rig)
+{
+    const VkMemoryBarrier barrier = {.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER,
+                                     .srcAccessMask = VK_ACCESS_COLOR_ATTACHMENT_WRITE_BIT,
+                                     .dstAccessMask = VK_ACCESS_INPUT_ATTACHMENT_READ_BIT};
+    vkCmdPipelineBarrier(rig->commands, VK_PIPELINE_STAGE_COLOR_ATTACHMENT_OUTPUT_BIT,
+                         VK_PIPELINE_STAGE_FRAGMENT_SHADER_BIT, VK_DEPENDENCY_BY_REGION_BIT, 1, &barrier, 0,
+                         NULL, 0, NULL);
+}
+
+static void a_barrier_shows_what_the_subpass_drew(void **unused)
+{
+    (void)unused;
+    struct rig rig;
+    struct picture picture;
+    struct picture_state state;
+    static const VkDescriptorSetLayoutBinding binding = {0, VK_DESCRIPTOR_TYPE_INPUT_ATTACHMENT, 1,
+                                                         VK_SHADER_STAGE_FRAGMENT_BIT, NULL};
+    rig_open(&rig);
+    picture_init(&picture, &rig, false, VK_SAMPLE_COUNT_1_BIT);
+    picture.color =
+        rig_image(&rig, VK_FORMAT_R8G8B8A8_UNORM, PICTURE_SIZE, PICTURE_SIZE, VK_SAMPLE_COUNT_1_BIT,
+                  VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_INPUT_ATTACHMENT_BIT |
+                      VK_IMAGE_USAGE_TRANSFER_SRC_BIT);
+    picture.pass = make_feedback_pass(&rig);
+    const VkFramebufferCreateInfo info = {.sType = VK_STRUCTURE_TYPE_FRAMEBUFFER_CREATE_INFO,
+                                          .renderPass = picture.pass,
+                                          .attachmentCount = 1,
+                                          .pAttachments = &picture.color.view,
+                                          .width = PICTURE_SIZE,
+                                          .height = PICTURE_SIZE,
+                                          .layers = 1};
+    CHECK(vkCreateFramebuffer(rig.device, &info, NULL, &picture.framebuffer));
+    RIG_KEEP(&rig, FRAMEBUFFER, picture.framebuffer);
+    VkDescriptorSetLayout set_layout = rig_set_layout(&rig, &binding, 1);
+    VkPipelineLayout layout = rig_layout(&rig, &set_layout, 1, 36);
+    VkDescriptorSet set = rig_set(&rig, set_layout);
+    rig_bind_image(&rig, set, 0, VK_DESCRIPTOR_TYPE_INPUT_ATTACHMENT, picture.color.view, VK_NULL_HANDLE,
+                   VK_IMAGE_LAYOUT_GENERAL);
+    picture_state(&state, &picture, rig_shader(&rig, quad_vert, sizeof quad_vert),
+                  rig_shader(&rig, halve_frag, sizeof halve_frag), layout);
+    VkPipeline pipeline = picture_pipeline(&picture, &state, picture.pass, 0);
+    const float all[9] = {-1, -1, 1, 1}, left[9] = {-1, -1, 0, 1};
+    picture_begin(&picture); // 0.25 of red
+    vkCmdBindPipeline(rig.commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline);
+    vkCmdBindDescriptorSets(rig.commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout, 0, 1, &set, 0, NULL);
+    vkCmdPushConstants(rig.commands, layout, VK_SHADER_STAGE_ALL, 0, sizeof all, all);
+    vkCmdDraw(rig.commands, 6, 1, 0, 0);
+    wait_for_colors(&rig);
+    vkCmdPushConstants(rig.commands, layout, VK_SHADER_STAGE_ALL, 0, sizeof left, left);
+    vkCmdDraw(rig.commands, 6, 1, 0, 0);
+    picture_end(&picture);
+    assert_int_equal(picture_texel(&picture, 50, 30), 0x200033ff);
+    assert_int_equal(picture_texel(&picture, 10, 30), 0x10004cff); // 51 / 2 + 51 = 76.5, rounded to even
+    rig_close(&rig);
+}
+
 // Create a pass that draws views 0 and 2 of an image with three layers.
 static VkRenderPass make_view_pass(struct rig *rig)
 {
@@ -177,6 +266,7 @@ static void every_view_is_drawn_with_its_number(void **unused)
 
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(a_subpass_reads_what_the_one_before_drew),
+    cmocka_unit_test(a_barrier_shows_what_the_subpass_drew),
     cmocka_unit_test(every_view_is_drawn_with_its_number),
 };
 

@@ -72,12 +72,24 @@ void rig_open(struct rig *rig)
         .sType = VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO, .queueCount = 1, .pQueuePriorities = &priority};
     VkPhysicalDeviceFeatures features;
     vkGetPhysicalDeviceFeatures(rig->physical, &features);
+    static const char *const extensions[] = {
+        VK_KHR_CREATE_RENDERPASS_2_EXTENSION_NAME, VK_KHR_DEPTH_STENCIL_RESOLVE_EXTENSION_NAME,
+        VK_KHR_DYNAMIC_RENDERING_EXTENSION_NAME, VK_KHR_TIMELINE_SEMAPHORE_EXTENSION_NAME};
+    VkPhysicalDeviceDynamicRenderingFeatures rendering = {
+        .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DYNAMIC_RENDERING_FEATURES, .dynamicRendering = VK_TRUE};
+    VkPhysicalDeviceTimelineSemaphoreFeatures timelines = {
+        .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_TIMELINE_SEMAPHORE_FEATURES,
+        .pNext = &rendering,
+        .timelineSemaphore = VK_TRUE};
     VkPhysicalDeviceMultiviewFeatures views = {.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MULTIVIEW_FEATURES,
+                                               .pNext = &timelines,
                                                .multiview = VK_TRUE};
     const VkDeviceCreateInfo info = {.sType = VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO,
                                      .pNext = &views,
                                      .queueCreateInfoCount = 1,
                                      .pQueueCreateInfos = &queue,
+                                     .enabledExtensionCount = sizeof extensions / sizeof *extensions,
+                                     .ppEnabledExtensionNames = extensions,
                                      .pEnabledFeatures = &features};
     CHECK(vkCreateDevice(rig->physical, &info, NULL, &rig->device));
     vkGetDeviceQueue(rig->device, 0, 0, &rig->queue);

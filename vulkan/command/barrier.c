@@ -1,7 +1,18 @@
 // SPDX-License-Identifier: MIT
 // Commands are replayed in order, so a barrier has something to do inside of render passes alone: what was drawn is
-// stored, and loaded by what is drawn then.
+// stored, and loaded by what is drawn then. An image that comes from UNDEFINED may have shared its memory meanwhile.
 #include "replay.h"
+#include "resource/memory.h"
+
+struct forget {
+    struct vulkan_command command;
+    VkImage image;
+};
+
+static void replay_forget(struct vulkan_replay *replay, const struct vulkan_command *command)
+{
+    vulkan_image_forget(replay->queue, ((const struct forget *)command)->image);
+}
 
 static void replay_barrier(struct vulkan_replay *replay, const struct vulkan_command *command)
 {
@@ -22,8 +33,14 @@ VKAPI_ATTR void VKAPI_CALL vkCmdPipelineBarrier(VkCommandBuffer buffer, VkPipeli
     (void)memory;
     (void)buffer_count;
     (void)buffers;
-    (void)image_count;
-    (void)images;
+    for (uint32_t i = 0; i < image_count; i++) {
+        if (images[i].oldLayout == VK_IMAGE_LAYOUT_UNDEFINED && images[i].image->memory->has_aliases) {
+            struct forget *const command = vulkan_record(buffer, sizeof *command, replay_forget);
+            if (command) {
+                command->image = images[i].image;
+            }
+        }
+    }
     if (buffer->subpass || buffer->continues_pass) {
         vulkan_pass_note_barrier(buffer, true);
         vulkan_record(buffer, sizeof(struct vulkan_command), replay_barrier);

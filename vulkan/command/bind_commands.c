@@ -38,7 +38,7 @@ struct bind_sets {
     struct vulkan_command command;
     VkPipelineBindPoint point;
     uint32_t first, count, offset_count;
-    VkDescriptorSet sets[]; // and behind them the dynamic offsets
+    VkDescriptorSet sets[]; // dynamic offsets stand behind the sets
 };
 
 static void replay_sets(struct vulkan_replay *replay, const struct vulkan_command *command)

@@ -109,6 +109,11 @@ static void replay_begin_pass(struct vulkan_replay *replay, const struct vulkan_
     };
     memcpy(pass->views, begin->views, begin->view_count * sizeof *pass->views);
     memcpy(pass->clears, begin->clears, begin->clear_count * sizeof *pass->clears);
+    for (uint32_t i = 0; i < begin->view_count; i++) {
+        if (pass->views[i] && begin->render_pass->attachments[i].is_undefined) {
+            vulkan_image_forget(replay->queue, pass->views[i]->image);
+        }
+    }
 }
 
 struct vulkan_begin_subpass {

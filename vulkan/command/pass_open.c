@@ -166,7 +166,7 @@ static struct rhw_pass_def definition(struct vulkan_replay *replay, uint32_t sam
     for (uint32_t i = 0; i < pass->subpass->color_count; i++) {
         set_color(replay, i, &def.colors[i]);
         if (def.colors[i].texture.context != 0) {
-            def.color_count = (int)i + 1; // those that are left out at the end do not count, as in pipelines
+            def.color_count = (int)i + 1; // attachments left out at the end do not count
         }
     }
     set_depth(replay, &def.depth);

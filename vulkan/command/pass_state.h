@@ -7,10 +7,6 @@
 #include "pass/render_pass.h"
 #include "resource/image_view.h"
 
-enum {
-    VULKAN_MAX_ATTACHMENTS = 64 ///< attachments of a render pass
-};
-
 // A command in its chunk.
 struct vulkan_replay_place {
     const struct vulkan_command *command;

@@ -5,8 +5,8 @@
 
 #include "replay.h"
 
-// Make the bindings of the sets with these bits that the pipeline of a bind point uses, and put them into a frame. Return
-// false without memory.
+// Make the bindings of the sets with these bits that the pipeline of a bind point uses, and put them into a frame.
+// Return false without memory.
 bool vulkan_shader_input_sets(struct vulkan_replay *replay, const struct vulkan_bound_point *point,
                               uint32_t sets, struct rhw_shader_frame *frame);
 

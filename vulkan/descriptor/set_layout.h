@@ -23,7 +23,7 @@ struct VkDescriptorSetLayout_T {
     VkAllocationCallbacks callbacks;
     atomic_uint users;
     uint32_t size;          ///< descriptors of a set
-    uint32_t dynamic_count; ///< those of them that are buffers with dynamic offsets
+    uint32_t dynamic_count; ///< buffers of a set with dynamic offsets
     uint32_t binding_count;
     struct vulkan_set_binding bindings[]; ///< by number
 };

@@ -10,11 +10,16 @@ VkFormat vulkan_render_pass_format(VkRenderPass pass, uint32_t attachment)
     return attachment < pass->attachment_count ? pass->attachments[attachment].format : VK_FORMAT_UNDEFINED;
 }
 
-// Return a render pass with room for so much, in one block.
+// Return a render pass with room for so much, in one block, or NULL where that is too much.
 static VkRenderPass make_pass(VkDevice device, const VkAllocationCallbacks *callbacks, uint32_t attachments,
                               uint32_t subpasses)
 {
     const size_t first = sizeof(struct vulkan_subpass) * subpasses;
+    if (attachments > VULKAN_MAX_ATTACHMENTS) {
+        vulkan_log("a render pass of %u attachments; at most %d", (unsigned)attachments,
+                   VULKAN_MAX_ATTACHMENTS);
+        return NULL;
+    }
     const VkRenderPass pass = vulkan_device_allocate(
         device, callbacks, sizeof *pass + first + sizeof(struct vulkan_attachment) * attachments);
     if (pass) {
@@ -71,6 +76,7 @@ static void set_attachment(struct vulkan_attachment *to, const VkAttachmentDescr
         .stencil_load = from->stencilLoadOp,
         .store = from->storeOp,
         .stencil_store = from->stencilStoreOp,
+        .is_undefined = from->initialLayout == VK_IMAGE_LAYOUT_UNDEFINED,
     };
 }
 
@@ -154,6 +160,7 @@ static void set_attachment2(struct vulkan_attachment *to, const VkAttachmentDesc
         .stencil_load = from->stencilLoadOp,
         .store = from->storeOp,
         .stencil_store = from->stencilStoreOp,
+        .is_undefined = from->initialLayout == VK_IMAGE_LAYOUT_UNDEFINED,
     };
 }
 

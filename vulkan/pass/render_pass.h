@@ -6,7 +6,10 @@
 
 #include "device/device.h"
 
-enum { VULKAN_MAX_INPUTS = RHW_MAX_COLOR_ATTACHMENTS };
+enum {
+    VULKAN_MAX_INPUTS = RHW_MAX_COLOR_ATTACHMENTS,
+    VULKAN_MAX_ATTACHMENTS = 64 ///< attachments of a render pass
+};
 
 struct vulkan_attachment {
     VkFormat format;
@@ -14,6 +17,7 @@ struct vulkan_attachment {
     VkAttachmentLoadOp load, stencil_load;
     VkAttachmentStoreOp store, stencil_store;
     uint32_t last_subpass; ///< last subpass that uses it
+    bool is_undefined;     ///< it comes from VK_IMAGE_LAYOUT_UNDEFINED
 };
 
 struct vulkan_subpass {

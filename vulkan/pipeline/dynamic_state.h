@@ -26,13 +26,13 @@ enum vulkan_dynamic {
 struct vulkan_dynamic_state {
     struct rhw_viewport viewports[RHW_MAX_VIEWPORTS];
     struct rhw_rect scissors[RHW_MAX_VIEWPORTS];
-    uint32_t viewport_count, scissor_count; // those that are set, from 0 on
+    uint32_t viewport_count, scissor_count; // how many are set, from 0 on
     float line_width;
     struct rhw_depth_bias depth_bias;
     float blend_constant[4];
     float depth_bounds[2];
     struct rhw_stencil_masks masks;
-    uint8_t reference[2]; // of front and back faces
+    uint8_t reference[2]; // [front, back]
 };
 
 // Return the or-ed parts that a VkDynamicState stands for, or 0.

@@ -30,7 +30,7 @@ struct VkPipeline_T {
     uint32_t used_sets; ///< bit s: the shaders use bindings of set s
     uint32_t push_size; ///< bytes of push constants that the shaders read
 
-    // Of graphics
+    // Members of graphics pipelines
     struct rhw_pipeline_def def; ///< its program is that of the first variant
     uint32_t samples;            ///< samples of a pixel
     bool shades_samples;         ///< the fragment function is called for every sample
@@ -44,8 +44,8 @@ struct VkPipeline_T {
 VkPipeline vulkan_pipeline_allocate(VkDevice device, const VkAllocationCallbacks *allocator,
                                     VkPipelineBindPoint point, VkPipelineLayout layout, uint32_t variants);
 
-// Link shaders, of which those that are NULL are left out, to the program of a variant. Return a VkResult, and leave the
-// pipeline to vulkan_pipeline_free, where that fails.
+// Link shaders to the program of a variant. Shaders that are NULL are left out. If that fails, return a VkResult, and
+// leave the pipeline to vulkan_pipeline_free.
 VkResult vulkan_pipeline_link(VkPipeline pipeline, uint32_t variant,
                               const struct rhw_shader_program_def *shaders);
 

@@ -65,6 +65,7 @@ VKAPI_ATTR VkResult VKAPI_CALL vkBindBufferMemory(VkDevice device, VkBuffer buff
 {
     (void)device;
     buffer->bytes = memory->bytes + offset;
+    vulkan_memory_note_buffer(memory, offset, buffer->size);
     return VK_SUCCESS;
 }
 

@@ -52,6 +52,15 @@ static enum rhw_texture_kind kind_of(VkImageType type)
                                       : RHW_TEXTURE_2D;
 }
 
+void vulkan_image_forget(VkQueue queue, VkImage image)
+{
+    if (image->memory->has_aliases && image->texture.context != 0) {
+        for (uint32_t level = 0; level < image->levels; level++) {
+            rhw_texture_changed(queue->context, image->texture, (int)level, 0, 0);
+        }
+    }
+}
+
 // What the program maps is written at any time. Nobody else writes without a command.
 static bool is_told(VkImage image)
 {
@@ -159,6 +168,8 @@ VKAPI_ATTR VkResult VKAPI_CALL vkBindImageMemory(VkDevice device, VkImage image,
 {
     (void)device;
     image->bytes = memory->bytes + offset;
+    image->memory = memory;
+    vulkan_memory_note_image(memory, offset, image->size);
     return VK_SUCCESS;
 }
 

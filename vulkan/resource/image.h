@@ -18,7 +18,8 @@ struct VkImage_T {
     /// Bytes of the blocks that stand before the texels; 0 if the format is not compressed. Levels follow each other,
     /// in each of them the layers or slices, rows of blocks without gaps.
     size_t texels;
-    VkDeviceSize size;    ///< bytes of the image in memory
+    VkDeviceSize size; ///< bytes of the image in memory
+    VkDeviceMemory memory;
     unsigned char *bytes; ///< first byte; NULL as long as no memory is bound
 
     // The queue's thread has these.
@@ -28,6 +29,10 @@ struct VkImage_T {
 // Set *texture to the texture of an image that has memory. The queue's thread calls this. On failure, which is lost
 // memory, *texture is the null id.
 VkResult vulkan_image_texture(VkQueue queue, VkImage image, rhw_texture *texture);
+
+// Forget what is known about the texels of an image, because another resource may have used its memory. The queue's
+// thread calls this where the image comes from VK_IMAGE_LAYOUT_UNDEFINED.
+void vulkan_image_forget(VkQueue queue, VkImage image);
 
 // Return the width, height and depth of a level.
 VkExtent3D vulkan_image_extent(VkImage image, uint32_t level);

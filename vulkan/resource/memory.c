@@ -17,6 +17,21 @@ static unsigned char *allocate(VkDeviceSize size, void **block)
     return past == 0 ? bytes : bytes + VULKAN_MEMORY_ALIGNMENT - past;
 }
 
+void vulkan_memory_note_buffer(VkDeviceMemory memory, VkDeviceSize offset, VkDeviceSize size)
+{
+    if (offset < memory->end_images && offset + size > memory->first_image) {
+        memory->has_aliases = true;
+    }
+}
+
+void vulkan_memory_note_image(VkDeviceMemory memory, VkDeviceSize offset, VkDeviceSize size)
+{
+    const bool is_first = memory->end_images == 0;
+    vulkan_memory_note_buffer(memory, offset, size);
+    memory->first_image = is_first || offset < memory->first_image ? offset : memory->first_image;
+    memory->end_images = offset + size > memory->end_images ? offset + size : memory->end_images;
+}
+
 VKAPI_ATTR VkResult VKAPI_CALL vkAllocateMemory(VkDevice device, const VkMemoryAllocateInfo *info,
                                                 const VkAllocationCallbacks *callbacks,
                                                 VkDeviceMemory *memory)
