@@ -82,6 +82,10 @@ struct rhw_dispatch_def {
     struct rhw_dispatch_buffer buffers[RHW_MAX_STORAGE_BUFFERS];
     struct rhw_dispatch_texture textures[RHW_MAX_TEXTURES];
     struct rhw_dispatch_image images[RHW_MAX_STORAGE_IMAGES];
+    /// Place of the first workgroup: places run from here on, and those of invocations with them, while NumWorkgroups
+    /// stays (vkCmdDispatchBase). In each direction the place behind the last workgroup is at most
+    /// RHW_MAX_WORKGROUP_COUNT.
+    uint32_t base[3];
 };
 
 /// Numbers of workgroups in a buffer (VkDispatchIndirectCommand; WebGPU, dispatchWorkgroupsIndirect).

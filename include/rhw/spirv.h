@@ -63,6 +63,7 @@ struct rhw_shader_def {
     uint32_t constant_count;
     /// A cache gives the shader again that it has of equal words, stage, entry point and constants. NULL: a new one.
     rhw_shader_cache *cache;
+    uint32_t view_index; ///< value of ViewIndex, for a shader that draws one view of several (rhw_shader_info)
 };
 
 /// A translated shader.
@@ -193,6 +194,7 @@ struct rhw_shader_info {
     const struct rhw_shader_type *push_type; ///< struct of the push constants; NULL if there are none
     uint32_t size[3];                        ///< invocations of a workgroup in each direction; of compute
     uint32_t shared_size;                    ///< bytes that they share
+    bool reads_view_index;                   ///< with another rhw_shader_def.view_index it is another shader
 };
 
 /// Return what a shader is. It lives as long as the shader.

@@ -236,12 +236,13 @@ static void find_labels(struct shader_builder *builder)
 }
 
 struct shader_program *shader_build(const struct shader_module *module,
-                                    const struct shader_entry_point *entry)
+                                    const struct shader_entry_point *entry, uint32_t view_index)
 {
     struct shader_memory *const memory = module->memory;
     struct shader_program *const program = shader_take(memory, 1, sizeof *program);
     struct shader_builder *const builder = shader_take(memory, 1, sizeof *builder);
-    *program = (struct shader_program){.memory = memory, .module = module, .entry = entry};
+    *program =
+        (struct shader_program){.memory = memory, .module = module, .entry = entry, .view_index = view_index};
     *builder =
         (struct shader_builder){.module = module,
                                 .entry = entry,

@@ -282,8 +282,11 @@ static void build_attachment_read(struct shader_builder *builder)
         const uint32_t pixel = shader_emit(builder, SHADER_INT_FROM_FLOAT, coordinate, 0, 0);
         access.values[SHADER_IMAGE_COORDINATES + i] = shader_emit(builder, SHADER_IADD, pixel, offset[i], 0);
     }
-    access.values[SHADER_IMAGE_COORDINATES + 2] =
-        shader_emit_with(builder, SHADER_BUILT_IN, SHADER_IN_LAYER, 0, 0, 0);
+    // Views are drawn one at a time, each into a layer 0, and read the layer that has the number of the view.
+    const uint32_t layer = shader_emit_with(builder, SHADER_BUILT_IN, SHADER_IN_LAYER, 0, 0, 0);
+    const uint32_t view = shader_number(builder, builder->program->view_index);
+    builder->program->reads_view_index = true;
+    access.values[SHADER_IMAGE_COORDINATES + 2] = shader_emit(builder, SHADER_IADD, layer, view, 0);
     (void)take_operands(builder, &access, 5);
     finish_access(builder, &access);
 }

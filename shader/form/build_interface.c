@@ -124,6 +124,10 @@ static enum shader_type_kind component_kind(const struct shader_type *type)
 // Return a component of what is built in and has no slot.
 static uint32_t value_without_slot(struct shader_builder *builder, int number, uint32_t component)
 {
+    if (number == SPIRV_VIEW_INDEX) {
+        builder->program->reads_view_index = true;
+        return shader_number(builder, builder->program->view_index);
+    }
     const uint32_t value = shader_subgroup_built_in(builder, number, component);
     return value != SHADER_NO_VALUE ? value : shader_number(builder, 0);
 }
@@ -311,11 +315,15 @@ void shader_write_outputs(struct shader_builder *builder)
             is_set[node->operands[0]] = true;
         }
     }
-    // Only what is stored to somewhere is an output.
+    // A built-in variable is an output only if it is stored to somewhere. A vertex shader gives the fragment shader 0
+    // for what it declares and never stores, which Vulkan leaves open.
     for (uint32_t slot = 0; slot < SHADER_OUT_COUNT; slot++) {
         const uint32_t home = builder->output_homes[slot];
         if (home != SHADER_NO_VALUE && is_set[home]) {
             write_output(builder, slot, shader_get_home(builder, home));
+        } else if (home != SHADER_NO_VALUE && builder->entry->model == SPIRV_VERTEX &&
+                   slot >= SHADER_OUT_VARYING) {
+            write_output(builder, slot, shader_number(builder, 0));
         }
     }
     for (uint32_t t = 0; builder->entry->model == SPIRV_FRAGMENT && t < MAX_TARGETS; t++) {

@@ -119,6 +119,8 @@ struct shader_program {
     bool writes[SHADER_OUT_COUNT];
     uint32_t workgroup_size; // bytes of memory of the workgroup
     bool has_barriers, uses_atomic_results;
+    uint32_t view_index; // value of ViewIndex
+    bool reads_view_index;
 };
 
 // Operands of SHADER_SAMPLE and SHADER_IMAGE_STORE, in their list. Value 0, the constant 0, stands where there is none;
@@ -233,9 +235,9 @@ uint32_t shader_add_list(struct shader_program *program, const uint32_t *values,
 // keeps it.
 const struct shader_node *shader_resource_node(const struct shader_program *program, uint32_t value);
 
-// Translate an entry point.
+// Translate an entry point, for a view of several.
 struct shader_program *shader_build(const struct shader_module *module,
-                                    const struct shader_entry_point *entry);
+                                    const struct shader_entry_point *entry, uint32_t view_index);
 
 // Add a node without putting it into the code. Equal constants are one node.
 uint32_t shader_add_node(struct shader_program *program, enum shader_op op, uint32_t immediate, uint32_t a,

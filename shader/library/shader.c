@@ -67,7 +67,7 @@ struct shader_program *shader_build_form(struct shader_memory *memory, const voi
     }
     struct shader_module *const module =
         shader_module_read(memory, copy_words(memory, words, count), count, constants, def->constant_count);
-    return shader_build(module, find_entry(module, def));
+    return shader_build(module, find_entry(module, def), def->view_index);
 }
 
 // Return false, with what is wrong in the shader's memory, where the module is refused.
@@ -140,7 +140,7 @@ enum rhw_result rhw_shader_create(const void *words, size_t size, const struct r
     }
     const char *const entry = def->entry_point ? def->entry_point : "main";
     // With the parts of the key: all that the definition has but its cache.
-    const size_t begin[] = {(size_t)def->stage, strlen(entry), def->constant_count};
+    const size_t begin[] = {(size_t)def->stage, strlen(entry), def->constant_count, def->view_index};
     const struct shader_key key = {{{begin, sizeof begin},
                                     {entry, strlen(entry)},
                                     {def->constants, def->constant_count * sizeof *def->constants},

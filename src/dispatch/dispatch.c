@@ -82,6 +82,7 @@ static enum rhw_result run(struct rhw_encoder *encoder, const struct rhw_dispatc
                             .count = {(int32_t)counts->x, (int32_t)counts->y, (int32_t)counts->z}};
     struct rhw_bindings bindings;
     for (int c = 0; c < 3; c++) {
+        grid.base[c] = (int32_t)def->base[c];
         grid.size[c] = def->program.size[c] == 0 ? 1 : def->program.size[c];
     }
     if (encoder->out_of_memory || !rhw_pass_resolve_bindings(encoder)) {
@@ -140,7 +141,7 @@ static enum rhw_result dispatch(struct rhw_context *context, const struct rhw_di
     }
     context->definition = def->program.label;
     if (!rhw_dispatch_check(context, def, flaws, where) || !read_counts(context, counts, where) ||
-        !rhw_dispatch_check_counts(context, &counts->counts, where)) {
+        !rhw_dispatch_check_counts(context, def, &counts->counts, where)) {
         return RHW_ERROR_MISUSE;
     }
     rhw_encoder_renew(encoder);

@@ -63,11 +63,21 @@ bool rhw_dispatch_check(const struct rhw_context *context, const struct rhw_disp
                      (unsigned)program->uniform_size);
 }
 
-bool rhw_dispatch_check_counts(const struct rhw_context *context, const struct rhw_dispatch_command *counts,
-                               const char *where)
+bool rhw_dispatch_check_counts(const struct rhw_context *context, const struct rhw_dispatch_def *def,
+                               const struct rhw_dispatch_command *counts, const char *where)
 {
-    const bool fits = counts->x <= RHW_MAX_WORKGROUP_COUNT && counts->y <= RHW_MAX_WORKGROUP_COUNT &&
-                      counts->z <= RHW_MAX_WORKGROUP_COUNT;
-    return rhw_check(context, fits, "%s: x, y, z are %u, %u, %u workgroups; each is in 0..%d", where,
-                     (unsigned)counts->x, (unsigned)counts->y, (unsigned)counts->z, RHW_MAX_WORKGROUP_COUNT);
+    const uint32_t most = RHW_MAX_WORKGROUP_COUNT, count[3] = {counts->x, counts->y, counts->z};
+    const bool fits = counts->x <= most && counts->y <= most && counts->z <= most;
+    bool is_below = true;
+    for (int c = 0; fits && c < 3; c++) {
+        is_below = is_below && def->base[c] <= most - count[c];
+    }
+    return rhw_check(context, fits, "%s: x, y, z are %u, %u, %u workgroups; each is in 0..%u", where,
+                     (unsigned)counts->x, (unsigned)counts->y, (unsigned)counts->z, (unsigned)most) &&
+           rhw_check(
+               context, is_below,
+               "%s: base is %u, %u, %u before %u, %u, %u workgroups; together they are at most %u in each "
+               "direction",
+               where, (unsigned)def->base[0], (unsigned)def->base[1], (unsigned)def->base[2],
+               (unsigned)counts->x, (unsigned)counts->y, (unsigned)counts->z, (unsigned)most);
 }

@@ -11,7 +11,7 @@ bool rhw_dispatch_check(const struct rhw_context *context, const struct rhw_disp
                         const char *where);
 
 // Return true if a dispatch can have these numbers of workgroups. Report misuse of `where` and return false if not.
-bool rhw_dispatch_check_counts(const struct rhw_context *context, const struct rhw_dispatch_command *counts,
-                               const char *where);
+bool rhw_dispatch_check_counts(const struct rhw_context *context, const struct rhw_dispatch_def *def,
+                               const struct rhw_dispatch_command *counts, const char *where);
 
 #endif

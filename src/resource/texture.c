@@ -317,6 +317,14 @@ static void tell_layout(const struct rhw_texture_data *texture, struct rhw_textu
     }
 }
 
+void rhw_texture_layout_of(const struct rhw_texture_def *def, struct rhw_texture_layout *layout)
+{
+    const struct rhw_texture_shape shape = rhw_texture_shape_of(def);
+    struct rhw_texture_data texture;
+    rhw_texture_data_init(&texture, def->format, &shape);
+    tell_layout(&texture, layout);
+}
+
 enum rhw_result rhw_texture_query_layout(rhw_context *context, const struct rhw_texture_def *def,
                                          struct rhw_texture_layout *layout)
 {
@@ -329,10 +337,7 @@ enum rhw_result rhw_texture_query_layout(rhw_context *context, const struct rhw_
                           rhw_check_format(context, where, "format", def->format) &&
                           rhw_texture_shape_check(context, def, where);
     if (is_valid) {
-        const struct rhw_texture_shape shape = rhw_texture_shape_of(def);
-        struct rhw_texture_data texture;
-        rhw_texture_data_init(&texture, def->format, &shape);
-        tell_layout(&texture, layout);
+        rhw_texture_layout_of(def, layout);
     }
     rhw_context_leave(context);
     return is_valid ? RHW_OK : RHW_ERROR_MISUSE;

@@ -126,6 +126,9 @@ static inline struct rhw_texture_shape rhw_texture_shape_2d(int width, int heigh
 void rhw_texture_data_init(struct rhw_texture_data *texture, enum rhw_format format,
                            const struct rhw_texture_shape *shape);
 
+// Tell the layout of a texture with a valid definition.
+void rhw_texture_layout_of(const struct rhw_texture_def *def, struct rhw_texture_layout *layout);
+
 // Return a texture with zeroed texels. Return NULL when out of memory.
 struct rhw_texture_data *rhw_texture_data_create(struct rhw_memory *memory, enum rhw_format format,
                                                  const struct rhw_texture_shape *shape);

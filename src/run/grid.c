@@ -153,13 +153,14 @@ static void run_batch(void *user, int index, int worker)
     if (!room->is_made) {
         make(job, room);
     }
-    id[0] = (int32_t)(first % x);
-    id[1] = (int32_t)(first / x % y);
-    id[2] = (int32_t)(first / x / y);
+    const int32_t *const base = grid->base;
+    id[0] = base[0] + (int32_t)(first % x);
+    id[1] = base[1] + (int32_t)(first / x % y);
+    id[2] = base[2] + (int32_t)(first / x / y);
     for (uint64_t i = 0; i < job->batch && i < left && !rhw_context_is_given_up(job->context, worker); i++) {
         run_workgroup(job, room);
-        for (int c = 0; c < 3 && ++id[c] == grid->count[c]; c++) {
-            id[c] = 0;
+        for (int c = 0; c < 3 && ++id[c] == base[c] + grid->count[c]; c++) {
+            id[c] = base[c];
         }
     }
 }

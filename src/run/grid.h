@@ -14,6 +14,7 @@ struct rhw_grid {
     const struct rhw_bindings *bindings;
     const void *uniforms;
     int size[3];      // invocations of a workgroup, at least 1
+    int32_t base[3];  // place of the first workgroup
     int32_t count[3]; // workgroups; 0: there are none
 };
 

@@ -38,6 +38,8 @@ NOT_RUN = {
     r"script/bench": MINUTES,
     r"script/isas": MINUTES,
     r"script/peer COMMAND": "fetches packages; program_bench runs it without a network",
+    r"script/bench-vulkan.*": MINUTES,
+    r"(script/peer )?script/vulkan-clients.*": "installs packages of the npm registry",
     r"script/growth": MINUTES,
     r"script/instructions( .*)?": MINUTES,
     r"script/fuzz \d+": MINUTES,

@@ -6,7 +6,7 @@
 set -eu
 cd "$1"
 # RHW_ISA_NAME is the exception: sources compiled once per instruction set name their symbols by it everywhere.
-find scene glsl system tools bench examples tests python -name '*.[ch]' | sort | xargs awk '
+find scene glsl vulkan system tools bench examples tests python -name '*.[ch]' | sort | xargs awk '
     function report(name) {
         if (name != "RHW_ISA_NAME") { print FILENAME ":" FNR ": " name; failed++ }
     }

@@ -77,28 +77,35 @@ static bool tell_place1(struct rhw_invocation1 *i)
     return false;
 }
 
-static void check_places(int threads, bool one)
+static void check_places(int threads, bool one, const int base[3])
 {
     static int32_t words[ALL * WORDS];
-    static const int size[3] = {SIZE_X, SIZE_Y, SIZE_Z}, count[3] = {GRID_X, GRID_Y, GRID_Z};
+    static const int size[3] = {SIZE_X, SIZE_Y, SIZE_Z};
     struct rig rig;
     open_rig(&rig, threads);
     const rhw_buffer buffer = make_buffer(&rig, NULL, sizeof words);
     struct rhw_dispatch_def def = {.program = {.size = {SIZE_X, SIZE_Y, SIZE_Z}},
-                                   .buffers = {{.buffer = buffer}}};
+                                   .buffers = {{.buffer = buffer}},
+                                   .base = {(uint32_t)base[0], (uint32_t)base[1], (uint32_t)base[2]}};
+    const int count[3] = {GRID_X - base[0], GRID_Y - base[1], GRID_Z - base[2]};
     if (one) {
         def.program.invocation1 = tell_place1;
     } else {
         def.program.workgroup[RHW_ISA_BASELINE] = tell_place;
     }
-    assert_int_equal(rhw_dispatch(rig.context, &def, GRID_X, GRID_Y, GRID_Z), RHW_OK);
+    assert_int_equal(
+        rhw_dispatch(rig.context, &def, (uint32_t)count[0], (uint32_t)count[1], (uint32_t)count[2]), RHW_OK);
     read_buffer(&rig, buffer, words, sizeof words);
     for (int32_t z = 0; z < GRID_Z * SIZE_Z; z++) {
         for (int32_t y = 0; y < GRID_Y * SIZE_Y; y++) {
             for (int32_t x = 0; x < GRID_X * SIZE_X; x++) {
                 const int32_t id[3] = {x, y, z};
                 const int32_t *const told = &words[number_of(id) * WORDS];
-                assert_int_equal(told[0], 1);
+                const bool runs = x >= base[0] * SIZE_X && y >= base[1] * SIZE_Y && z >= base[2] * SIZE_Z;
+                assert_int_equal(told[0], runs);
+                if (!runs) {
+                    continue;
+                }
                 assert_int_equal(told[1], x % SIZE_X + SIZE_X * (y % SIZE_Y + SIZE_Y * (z % SIZE_Z)));
                 for (int c = 0; c < 3; c++) {
                     assert_int_equal(told[2 + c], id[c] % size[c] + 100 * (id[c] / size[c]) +
@@ -113,9 +120,12 @@ static void check_places(int threads, bool one)
 static void test_every_invocation_runs_once(void **state)
 {
     (void)state;
+    static const int zero[3] = {0, 0, 0}, base[3] = {1, 2, 1};
     for (int threads = 1; threads <= 4; threads += 3) {
-        check_places(threads, false);
-        check_places(threads, true);
+        check_places(threads, false, zero);
+        check_places(threads, true, zero);
+        check_places(threads, false, base);
+        check_places(threads, true, base);
     }
 }
 
@@ -523,6 +533,10 @@ static void test_misuse_of_programs(void **state)
     expect_refused(&rig, &def, "7 bytes of uniforms are given; the program reads 8");
     assert_int_equal(rhw_dispatch(rig.context, &good, 1, 65536, 1), RHW_ERROR_MISUSE);
     rig_expect_misuse(&rig, "x, y, z are 1, 65536, 1 workgroups; each is in 0..65535");
+    def = good;
+    def.base[2] = 65535;
+    assert_int_equal(rhw_dispatch(rig.context, &def, 1, 1, 1), RHW_ERROR_MISUSE);
+    rig_expect_misuse(&rig, "base is 0, 0, 65535 before 1, 1, 1 workgroups; together they are at most 65535");
     assert_int_equal(rhw_dispatch_probed(rig.context, &good, RHW_ARITHMETIC_FUSED, 1, 1, 1),
                      RHW_ERROR_MISUSE);
     rig_expect_misuse(&rig, "rhw_dispatch \"count\": multiplications and additions are fused");

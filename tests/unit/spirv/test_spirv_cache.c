@@ -118,6 +118,9 @@ static void test_what_differs_is_kept_apart(void **state)
     other.constant_count = 0;
     assert_false(is_same(cache, &def, &other));
     other = def;
+    other.view_index = 1;
+    assert_false(is_same(cache, &def, &other));
+    other = def;
     other.cache = NULL;
     assert_false(is_same(cache, &def, &other));
 

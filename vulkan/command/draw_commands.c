@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: MIT
+// Draws. Each tells the pass of librhw what was bound since the last one, and opens the pass if there is none.
+#include "pipeline/pipeline_state.h"
+#include "shader_input.h"
+#include <string.h>
+
+// Telling --------------------------------------------------------------------------------------------
+
+// Create the pipeline of librhw for the view that is drawn, if it is not there. Return NULL if that fails.
+static const rhw_pipeline *find_pipeline(struct vulkan_replay *replay, VkPipeline pipeline)
+{
+    const uint32_t view = pipeline->variant_count > 1 ? replay->pass.view_index : 0;
+    struct vulkan_variant *const variant = view < pipeline->variant_count ? &pipeline->variants[view] : NULL;
+    if (!variant || !variant->program) {
+        return NULL; // a render pass with other views, which Vulkan forbids
+    }
+    if (variant->pipeline.generation == 0) {
+        struct rhw_pipeline_def def;
+        vulkan_pipeline_definition(pipeline, view, &def);
+        (void)vulkan_replay_check(replay, rhw_pipeline_create(replay->context, &def, &variant->pipeline),
+                                  "a graphics pipeline");
+    }
+    return variant->pipeline.generation != 0 ? &variant->pipeline : NULL;
+}
+
+static void tell_dynamic(struct vulkan_replay *replay, VkPipeline pipeline, bool is_new)
+{
+    struct vulkan_bound *const bound = &replay->bound;
+    uint32_t parts = bound->news_dynamic & pipeline->dynamic;
+    if (is_new) {
+        vulkan_dynamic_copy(&bound->dynamic, &pipeline->state, VULKAN_DYNAMIC_ALL & ~pipeline->dynamic);
+        parts = VULKAN_DYNAMIC_ALL;
+    }
+    if (!pipeline->has_depth_bias && (parts & VULKAN_DYNAMIC_DEPTH_BIAS)) {
+        parts &= ~(uint32_t)VULKAN_DYNAMIC_DEPTH_BIAS;
+        const struct rhw_depth_bias none = {.constant = 0};
+        rhw_pass_set_depth_bias(replay->context, replay->pass.pass, &none);
+    }
+    vulkan_dynamic_apply(&bound->dynamic, parts, replay->context, replay->pass.pass);
+    bound->news_dynamic &= ~parts;
+}
+
+static void tell_vertices(struct vulkan_replay *replay, VkPipeline pipeline)
+{
+    struct vulkan_bound *const bound = &replay->bound;
+    const uint32_t slots = bound->news_vertices & pipeline->vertex_buffers;
+    for (int i = 0; i < RHW_MAX_VERTEX_BUFFERS; i++) {
+        if (slots >> i & 1) {
+            VkBuffer buffer = bound->vertices[i].buffer;
+            const VkDeviceSize offset = bound->vertices[i].offset;
+            const bool is_there = buffer && buffer->bytes && offset < buffer->size;
+            rhw_pass_set_vertex_memory(replay->context, replay->pass.pass, i,
+                                       is_there ? buffer->bytes + offset : NULL,
+                                       is_there ? (size_t)(buffer->size - offset) : 0);
+        }
+    }
+    bound->news_vertices &= ~slots;
+}
+
+static void tell_indices(struct vulkan_replay *replay)
+{
+    struct vulkan_bound *const bound = &replay->bound;
+    VkBuffer buffer = bound->indices;
+    const bool is_there = buffer && buffer->bytes && bound->index_offset < buffer->size;
+    rhw_pass_set_index_memory(replay->context, replay->pass.pass,
+                              is_there ? buffer->bytes + bound->index_offset : NULL,
+                              bound->index_type == VK_INDEX_TYPE_UINT16      ? RHW_INDEX_UINT16
+                              : bound->index_type == VK_INDEX_TYPE_UINT8_EXT ? RHW_INDEX_UINT8
+                                                                             : RHW_INDEX_UINT32,
+                              is_there ? (size_t)(buffer->size - bound->index_offset) : 0);
+    bound->news &= ~(uint32_t)VULKAN_NEWS_INDICES;
+}
+
+// Return false without memory.
+static bool tell_shaders(struct vulkan_replay *replay, VkPipeline pipeline, bool is_new)
+{
+    struct vulkan_bound *const bound = &replay->bound;
+    // A pipeline that is new may use bindings of a set that were stale up to now.
+    const uint32_t sets = (is_new ? ~0u : bound->news_sets) & pipeline->used_sets;
+    const bool pushes = pipeline->push_size > 0 && (is_new || (bound->news & VULKAN_NEWS_PUSH));
+    if (sets == 0 && !pushes && !is_new) {
+        return true;
+    }
+    if (!vulkan_shader_input_sets(replay, &bound->graphics, sets, &bound->frame) ||
+        (pushes && !vulkan_shader_input_push(replay, pipeline->push_size, &bound->frame))) {
+        return false;
+    }
+    bound->frame.samples = replay->pass.samples;
+    rhw_pass_set_uniforms(replay->context, replay->pass.pass, &bound->frame, sizeof bound->frame);
+    bound->news_sets &= ~sets;
+    bound->news &= ~(uint32_t)(pushes ? VULKAN_NEWS_PUSH : 0);
+    return true;
+}
+
+// Open the pass and tell it what is bound. Return false if nothing can be drawn.
+static bool begin_draw(struct vulkan_replay *replay, bool is_indexed)
+{
+    struct vulkan_bound *const bound = &replay->bound;
+    VkPipeline pipeline = bound->graphics.pipeline;
+    const rhw_pipeline *const id = pipeline ? find_pipeline(replay, pipeline) : NULL;
+    if (!id || !vulkan_pass_open(replay, pipeline->samples)) {
+        return false;
+    }
+    if (!bound->is_told) {
+        bound->is_told = true;
+        bound->news = VULKAN_NEWS_ALL;
+        bound->news_sets = bound->news_vertices = ~0u;
+    }
+    const bool is_new = bound->news & VULKAN_NEWS_PIPELINE;
+    if (is_new) {
+        rhw_pass_set_pipeline(replay->context, replay->pass.pass, *id);
+        bound->news &= ~(uint32_t)VULKAN_NEWS_PIPELINE;
+    }
+    tell_dynamic(replay, pipeline, is_new);
+    tell_vertices(replay, pipeline);
+    if (is_indexed && (bound->news & VULKAN_NEWS_INDICES)) {
+        tell_indices(replay);
+    }
+    return tell_shaders(replay, pipeline, is_new);
+}
+
+// Direct draws ---------------------------------------------------------------------------------------
+
+struct draw {
+    struct vulkan_command command;
+    VkDrawIndirectCommand draw;
+};
+
+static void draw(struct vulkan_replay *replay, const VkDrawIndirectCommand *draw)
+{
+    rhw_pass_draw(replay->context, replay->pass.pass, draw->firstVertex, draw->vertexCount,
+                  draw->firstInstance, draw->instanceCount);
+}
+
+static void replay_draw(struct vulkan_replay *replay, const struct vulkan_command *command)
+{
+    if (begin_draw(replay, false)) {
+        draw(replay, &((const struct draw *)command)->draw);
+    }
+}
+
+void vkCmdDraw(VkCommandBuffer buffer, uint32_t count, uint32_t instances, uint32_t first,
+               uint32_t first_instance)
+{
+    struct draw *const record = vulkan_record(buffer, sizeof *record, replay_draw);
+    if (record) {
+        record->draw = (VkDrawIndirectCommand){count, instances, first, first_instance};
+    }
+}
+
+struct draw_indexed {
+    struct vulkan_command command;
+    VkDrawIndexedIndirectCommand draw;
+};
+
+static void draw_indexed(struct vulkan_replay *replay, const VkDrawIndexedIndirectCommand *draw)
+{
+    rhw_pass_draw_indexed(replay->context, replay->pass.pass, draw->firstIndex, draw->indexCount,
+                          draw->vertexOffset, draw->firstInstance, draw->instanceCount);
+}
+
+static void replay_draw_indexed(struct vulkan_replay *replay, const struct vulkan_command *command)
+{
+    if (begin_draw(replay, true)) {
+        draw_indexed(replay, &((const struct draw_indexed *)command)->draw);
+    }
+}
+
+void vkCmdDrawIndexed(VkCommandBuffer buffer, uint32_t count, uint32_t instances, uint32_t first,
+                      int32_t vertex_offset, uint32_t first_instance)
+{
+    struct draw_indexed *const record = vulkan_record(buffer, sizeof *record, replay_draw_indexed);
+    if (record) {
+        record->draw = (VkDrawIndexedIndirectCommand){count, instances, first, vertex_offset, first_instance};
+    }
+}
+
+// Indirect draws -------------------------------------------------------------------------------------
+
+struct draw_indirect {
+    struct vulkan_command command;
+    VkBuffer buffer;
+    VkDeviceSize offset;
+    uint32_t count, stride;
+};
+
+// Return the place of a command of `size` bytes, or NULL if it does not lie within its buffer.
+static const void *find_command(const struct draw_indirect *record, uint32_t index, size_t size)
+{
+    const VkDeviceSize room = record->buffer->bytes ? record->buffer->size : 0;
+    const VkDeviceSize offset = record->offset + (VkDeviceSize)index * record->stride;
+    return offset <= room && size <= room - offset ? record->buffer->bytes + offset : NULL;
+}
+
+static void replay_draw_indirect(struct vulkan_replay *replay, const struct vulkan_command *command)
+{
+    const struct draw_indirect *const record = (const struct draw_indirect *)command;
+    VkDrawIndirectCommand read;
+    if (!begin_draw(replay, false)) {
+        return;
+    }
+    for (uint32_t i = 0; i < record->count; i++) {
+        const void *const place = find_command(record, i, sizeof read);
+        if (place) {
+            memcpy(&read, place, sizeof read);
+            draw(replay, &read);
+        }
+    }
+}
+
+static void replay_draw_indexed_indirect(struct vulkan_replay *replay, const struct vulkan_command *command)
+{
+    const struct draw_indirect *const record = (const struct draw_indirect *)command;
+    VkDrawIndexedIndirectCommand read;
+    if (!begin_draw(replay, true)) {
+        return;
+    }
+    for (uint32_t i = 0; i < record->count; i++) {
+        const void *const place = find_command(record, i, sizeof read);
+        if (place) {
+            memcpy(&read, place, sizeof read);
+            draw_indexed(replay, &read);
+        }
+    }
+}
+
+static void record_indirect(VkCommandBuffer buffer, vulkan_replay_function *replay, VkBuffer commands,
+                            VkDeviceSize offset, uint32_t count, uint32_t stride)
+{
+    struct draw_indirect *const record = vulkan_record(buffer, sizeof *record, replay);
+    if (record) {
+        record->buffer = commands;
+        record->offset = offset;
+        record->count = count;
+        record->stride = stride;
+    }
+}
+
+void vkCmdDrawIndirect(VkCommandBuffer buffer, VkBuffer commands, VkDeviceSize offset, uint32_t count,
+                       uint32_t stride)
+{
+    record_indirect(buffer, replay_draw_indirect, commands, offset, count, stride);
+}
+
+void vkCmdDrawIndexedIndirect(VkCommandBuffer buffer, VkBuffer commands, VkDeviceSize offset, uint32_t count,
+                              uint32_t stride)
+{
+    record_indirect(buffer, replay_draw_indexed_indirect, commands, offset, count, stride);
+}

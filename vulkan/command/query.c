@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: MIT
+#include "query.h"
+
+#include "replay.h"
+#include "resource/buffer.h"
+
+#include <string.h>
+
+// Parts -----------------------------------------------------------------------------------------------
+
+// What a pass answers about a query. The query of a timestamp is the null id: its time is that of the pass's end.
+struct vulkan_query_part {
+    struct vulkan_query_part *next;
+    VkQueryPool pool;
+    uint32_t index;
+    rhw_query query;
+    bool ends; ///< the query has its answer with this part
+};
+
+static void add(struct vulkan_replay *replay, VkQueryPool pool, uint32_t index, uint64_t value, bool ends)
+{
+    pthread_mutex_lock(&replay->queue->lock);
+    pool->queries[index].value += value;
+    pool->queries[index].is_available = pool->queries[index].is_available || ends;
+    pthread_cond_broadcast(&replay->queue->changed);
+    pthread_mutex_unlock(&replay->queue->lock);
+}
+
+static struct vulkan_query_part *make_part(struct vulkan_replay *replay, VkQueryPool pool, uint32_t index)
+{
+    struct vulkan_query_part *const part = vulkan_replay_allocate(replay, sizeof *part);
+    if (part) {
+        *part = (struct vulkan_query_part){.next = replay->parts, .pool = pool, .index = index};
+        replay->parts = part;
+    }
+    return part;
+}
+
+void vulkan_query_resume(struct vulkan_replay *replay)
+{
+    struct vulkan_active_query *const active = &replay->active;
+    active->part = NULL;
+    if (!active->pool) {
+        return;
+    }
+    struct vulkan_query_part *const part = make_part(replay, active->pool, active->index);
+    const struct rhw_query_def def = {.kind = RHW_QUERY_OCCLUSION};
+    if (part && vulkan_replay_check(replay, rhw_query_create(replay->context, &def, &part->query), "query")) {
+        rhw_pass_begin_query(replay->context, replay->pass.pass, part->query);
+        active->part = part;
+    }
+}
+
+void vulkan_query_suspend(struct vulkan_replay *replay)
+{
+    if (replay->active.part) {
+        rhw_pass_end_query(replay->context, replay->pass.pass, replay->active.part->query);
+        replay->active.part = NULL;
+    }
+}
+
+void vulkan_query_collect(struct vulkan_replay *replay)
+{
+    for (struct vulkan_query_part *part = replay->parts; part; part = part->next) {
+        uint64_t value = 0;
+        if (part->query.context == 0) {
+            value = vulkan_now();
+        } else {
+            struct rhw_query_counts counts = {0};
+            if (replay->result == VK_SUCCESS) {
+                rhw_query_read(replay->context, part->query, &counts);
+            }
+            value = counts.samples_passed;
+            rhw_query_destroy(replay->context, part->query);
+        }
+        add(replay, part->pool, part->index, value, part->ends);
+    }
+    replay->parts = NULL;
+}
+
+// Commands --------------------------------------------------------------------------------------------
+
+struct query_command {
+    struct vulkan_command command;
+    VkQueryPool pool;
+    uint32_t index, count;
+};
+
+static void reset(VkQueue queue, VkQueryPool pool, uint32_t first, uint32_t count)
+{
+    pthread_mutex_lock(&queue->lock);
+    for (uint32_t i = 0; i < count; i++) {
+        pool->queries[first + i] = (struct vulkan_query){0};
+    }
+    pthread_mutex_unlock(&queue->lock);
+}
+
+static void replay_reset(struct vulkan_replay *replay, const struct vulkan_command *command)
+{
+    const struct query_command *const query = (const struct query_command *)command;
+    reset(replay->queue, query->pool, query->index, query->count);
+}
+
+static void replay_begin(struct vulkan_replay *replay, const struct vulkan_command *command)
+{
+    const struct query_command *const query = (const struct query_command *)command;
+    replay->active.pool = query->pool;
+    replay->active.index = query->index + replay->pass.view_index;
+    if (replay->pass.is_open) {
+        vulkan_query_resume(replay);
+    }
+}
+
+static void replay_end(struct vulkan_replay *replay, const struct vulkan_command *command)
+{
+    (void)command;
+    struct vulkan_active_query *const active = &replay->active;
+    struct vulkan_query_part *const part = active->part;
+    vulkan_query_suspend(replay);
+    if (part) {
+        part->ends = true;
+    } else if (active->pool) {
+        add(replay, active->pool, active->index, 0, true);
+    }
+    active->pool = VK_NULL_HANDLE;
+}
+
+static void replay_timestamp(struct vulkan_replay *replay, const struct vulkan_command *command)
+{
+    const struct query_command *const query = (const struct query_command *)command;
+    const uint32_t index = query->index + replay->pass.view_index;
+    struct vulkan_query_part *const part =
+        replay->pass.is_open ? make_part(replay, query->pool, index) : NULL;
+    if (part) {
+        part->ends = true;
+    } else {
+        add(replay, query->pool, index, vulkan_now(), true);
+    }
+}
+
+static void record(VkCommandBuffer buffer, VkQueryPool pool, uint32_t index, uint32_t count,
+                   vulkan_replay_function *replay)
+{
+    struct query_command *const command = vulkan_record(buffer, sizeof *command, replay);
+    if (command) {
+        command->pool = pool;
+        command->index = index;
+        command->count = count;
+    }
+}
+
+VKAPI_ATTR void VKAPI_CALL vkCmdResetQueryPool(VkCommandBuffer buffer, VkQueryPool pool, uint32_t first,
+                                               uint32_t count)
+{
+    record(buffer, pool, first, count, replay_reset);
+}
+
+VKAPI_ATTR void VKAPI_CALL vkCmdBeginQuery(VkCommandBuffer buffer, VkQueryPool pool, uint32_t index,
+                                           VkQueryControlFlags flags)
+{
+    (void)flags; // every answer is precise
+    record(buffer, pool, index, 1, replay_begin);
+}
+
+VKAPI_ATTR void VKAPI_CALL vkCmdEndQuery(VkCommandBuffer buffer, VkQueryPool pool, uint32_t index)
+{
+    record(buffer, pool, index, 1, replay_end);
+}
+
+VKAPI_ATTR void VKAPI_CALL vkCmdWriteTimestamp(VkCommandBuffer buffer, VkPipelineStageFlagBits stage,
+                                               VkQueryPool pool, uint32_t index)
+{
+    (void)stage;
+    record(buffer, pool, index, 1, replay_timestamp);
+}
+
+// Pools -----------------------------------------------------------------------------------------------
+
+VKAPI_ATTR VkResult VKAPI_CALL vkCreateQueryPool(VkDevice device, const VkQueryPoolCreateInfo *info,
+                                                 const VkAllocationCallbacks *callbacks, VkQueryPool *pool)
+{
+    *pool = vulkan_device_allocate(device, callbacks,
+                                   sizeof **pool + info->queryCount * sizeof(struct vulkan_query));
+    if (!*pool) {
+        return VK_ERROR_OUT_OF_HOST_MEMORY;
+    }
+    (*pool)->type = info->queryType;
+    (*pool)->count = info->queryCount;
+    return VK_SUCCESS;
+}
+
+VKAPI_ATTR void VKAPI_CALL vkDestroyQueryPool(VkDevice device, VkQueryPool pool,
+                                              const VkAllocationCallbacks *callbacks)
+{
+    vulkan_device_free(device, callbacks, pool);
+}
+
+VKAPI_ATTR void VKAPI_CALL vkResetQueryPool(VkDevice device, VkQueryPool pool, uint32_t first, uint32_t count)
+{
+    reset(&device->queue, pool, first, count);
+}
+
+// Results ---------------------------------------------------------------------------------------------
+
+struct results {
+    VkQueryPool pool;
+    uint32_t first, count;
+    unsigned char *data;
+    VkDeviceSize stride;
+    VkQueryResultFlags flags;
+};
+
+static bool are_available(void *user)
+{
+    const struct results *const results = user;
+    bool all = true;
+    for (uint32_t i = 0; i < results->count; i++) {
+        all = all && results->pool->queries[results->first + i].is_available;
+    }
+    return all;
+}
+
+static unsigned char *write_number(unsigned char *at, uint64_t value, VkQueryResultFlags flags)
+{
+    const uint32_t narrow = value > UINT32_MAX ? UINT32_MAX : (uint32_t)value;
+    const size_t size = flags & VK_QUERY_RESULT_64_BIT ? sizeof value : sizeof narrow;
+    memcpy(at, flags & VK_QUERY_RESULT_64_BIT ? (const void *)&value : (const void *)&narrow, size);
+    return at + size;
+}
+
+// Write the answers. Return VK_NOT_READY if one is missing. The queue's lock is held.
+static VkResult write_results(const struct results *results)
+{
+    VkResult result = VK_SUCCESS;
+    for (uint32_t i = 0; i < results->count; i++) {
+        const struct vulkan_query *const query = &results->pool->queries[results->first + i];
+        unsigned char *at = results->data + i * results->stride;
+        if (query->is_available || results->flags & VK_QUERY_RESULT_PARTIAL_BIT) {
+            at = write_number(at, query->value, results->flags);
+        } else {
+            at += results->flags & VK_QUERY_RESULT_64_BIT ? sizeof(uint64_t) : sizeof(uint32_t);
+        }
+        if (results->flags & VK_QUERY_RESULT_WITH_AVAILABILITY_BIT) {
+            write_number(at, query->is_available, results->flags);
+        }
+        result = query->is_available ? result : VK_NOT_READY;
+    }
+    return result;
+}
+
+VKAPI_ATTR VkResult VKAPI_CALL vkGetQueryPoolResults(VkDevice device, VkQueryPool pool, uint32_t first,
+                                                     uint32_t count, size_t size, void *data,
+                                                     VkDeviceSize stride, VkQueryResultFlags flags)
+{
+    (void)size;
+    struct results results = {pool, first, count, data, stride, flags};
+    if (flags & VK_QUERY_RESULT_WAIT_BIT) {
+        const VkResult result = vulkan_queue_wait(&device->queue, are_available, &results, UINT64_MAX);
+        if (result != VK_SUCCESS) {
+            return result;
+        }
+    }
+    pthread_mutex_lock(&device->queue.lock);
+    const VkResult result = write_results(&results);
+    pthread_mutex_unlock(&device->queue.lock);
+    return result;
+}
+
+struct copy_command {
+    struct vulkan_command command;
+    struct results results;
+};
+
+static void replay_copy(struct vulkan_replay *replay, const struct vulkan_command *command)
+{
+    const struct copy_command *const copy = (const struct copy_command *)command;
+    pthread_mutex_lock(&replay->queue->lock);
+    write_results(&copy->results);
+    pthread_mutex_unlock(&replay->queue->lock);
+}
+
+VKAPI_ATTR void VKAPI_CALL vkCmdCopyQueryPoolResults(VkCommandBuffer buffer, VkQueryPool pool, uint32_t first,
+                                                     uint32_t count, VkBuffer to, VkDeviceSize offset,
+                                                     VkDeviceSize stride, VkQueryResultFlags flags)
+{
+    struct copy_command *const command = vulkan_record(buffer, sizeof *command, replay_copy);
+    if (command) {
+        command->results = (struct results){pool, first, count, to->bytes + offset, stride, flags};
+    }
+}

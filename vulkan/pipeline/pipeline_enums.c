@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#include "pipeline_enums.h"
+
+// The element of a table that a value of Vulkan names, or its first element.
+#define PICK(table, value) (table)[(size_t)(value) < sizeof(table) / sizeof *(table) ? (size_t)(value) : 0]
+
+enum rhw_stencil_operation vulkan_stencil_operation(VkStencilOp operation)
+{
+    static const enum rhw_stencil_operation table[] = {
+        [VK_STENCIL_OP_KEEP] = RHW_STENCIL_KEEP,
+        [VK_STENCIL_OP_ZERO] = RHW_STENCIL_ZERO,
+        [VK_STENCIL_OP_REPLACE] = RHW_STENCIL_REPLACE,
+        [VK_STENCIL_OP_INCREMENT_AND_CLAMP] = RHW_STENCIL_INCREMENT_CLAMP,
+        [VK_STENCIL_OP_DECREMENT_AND_CLAMP] = RHW_STENCIL_DECREMENT_CLAMP,
+        [VK_STENCIL_OP_INVERT] = RHW_STENCIL_INVERT,
+        [VK_STENCIL_OP_INCREMENT_AND_WRAP] = RHW_STENCIL_INCREMENT_WRAP,
+        [VK_STENCIL_OP_DECREMENT_AND_WRAP] = RHW_STENCIL_DECREMENT_WRAP,
+    };
+    return PICK(table, operation);
+}
+
+enum rhw_blend_factor vulkan_blend_factor(VkBlendFactor factor)
+{
+    static const enum rhw_blend_factor table[] = {
+        [VK_BLEND_FACTOR_ZERO] = RHW_BLEND_ZERO,
+        [VK_BLEND_FACTOR_ONE] = RHW_BLEND_ONE,
+        [VK_BLEND_FACTOR_SRC_COLOR] = RHW_BLEND_SRC,
+        [VK_BLEND_FACTOR_ONE_MINUS_SRC_COLOR] = RHW_BLEND_ONE_MINUS_SRC,
+        [VK_BLEND_FACTOR_DST_COLOR] = RHW_BLEND_DST,
+        [VK_BLEND_FACTOR_ONE_MINUS_DST_COLOR] = RHW_BLEND_ONE_MINUS_DST,
+        [VK_BLEND_FACTOR_SRC_ALPHA] = RHW_BLEND_SRC_ALPHA,
+        [VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA] = RHW_BLEND_ONE_MINUS_SRC_ALPHA,
+        [VK_BLEND_FACTOR_DST_ALPHA] = RHW_BLEND_DST_ALPHA,
+        [VK_BLEND_FACTOR_ONE_MINUS_DST_ALPHA] = RHW_BLEND_ONE_MINUS_DST_ALPHA,
+        [VK_BLEND_FACTOR_CONSTANT_COLOR] = RHW_BLEND_CONSTANT,
+        [VK_BLEND_FACTOR_ONE_MINUS_CONSTANT_COLOR] = RHW_BLEND_ONE_MINUS_CONSTANT,
+        [VK_BLEND_FACTOR_CONSTANT_ALPHA] = RHW_BLEND_CONSTANT_ALPHA,
+        [VK_BLEND_FACTOR_ONE_MINUS_CONSTANT_ALPHA] = RHW_BLEND_ONE_MINUS_CONSTANT_ALPHA,
+        [VK_BLEND_FACTOR_SRC_ALPHA_SATURATE] = RHW_BLEND_SRC_ALPHA_SATURATED,
+        [VK_BLEND_FACTOR_SRC1_COLOR] = RHW_BLEND_SRC1,
+        [VK_BLEND_FACTOR_ONE_MINUS_SRC1_COLOR] = RHW_BLEND_ONE_MINUS_SRC1,
+        [VK_BLEND_FACTOR_SRC1_ALPHA] = RHW_BLEND_SRC1_ALPHA,
+        [VK_BLEND_FACTOR_ONE_MINUS_SRC1_ALPHA] = RHW_BLEND_ONE_MINUS_SRC1_ALPHA,
+    };
+    return PICK(table, factor);
+}
+
+enum rhw_blend_operation vulkan_blend_operation(VkBlendOp operation)
+{
+    static const enum rhw_blend_operation table[] = {
+        [VK_BLEND_OP_ADD] = RHW_BLEND_ADD,
+        [VK_BLEND_OP_SUBTRACT] = RHW_BLEND_SUBTRACT,
+        [VK_BLEND_OP_REVERSE_SUBTRACT] = RHW_BLEND_REVERSE_SUBTRACT,
+        [VK_BLEND_OP_MIN] = RHW_BLEND_MIN,
+        [VK_BLEND_OP_MAX] = RHW_BLEND_MAX,
+    };
+    return PICK(table, operation);
+}
+
+enum rhw_logic vulkan_logic(VkLogicOp operation)
+{
+    static const enum rhw_logic table[] = {
+        [VK_LOGIC_OP_CLEAR] = RHW_LOGIC_CLEAR,
+        [VK_LOGIC_OP_AND] = RHW_LOGIC_AND,
+        [VK_LOGIC_OP_AND_REVERSE] = RHW_LOGIC_AND_REVERSE,
+        [VK_LOGIC_OP_COPY] = RHW_LOGIC_COPY,
+        [VK_LOGIC_OP_AND_INVERTED] = RHW_LOGIC_AND_INVERTED,
+        [VK_LOGIC_OP_NO_OP] = RHW_LOGIC_NO_OP,
+        [VK_LOGIC_OP_XOR] = RHW_LOGIC_XOR,
+        [VK_LOGIC_OP_OR] = RHW_LOGIC_OR,
+        [VK_LOGIC_OP_NOR] = RHW_LOGIC_NOR,
+        [VK_LOGIC_OP_EQUIVALENT] = RHW_LOGIC_EQUIVALENT,
+        [VK_LOGIC_OP_INVERT] = RHW_LOGIC_INVERT,
+        [VK_LOGIC_OP_OR_REVERSE] = RHW_LOGIC_OR_REVERSE,
+        [VK_LOGIC_OP_COPY_INVERTED] = RHW_LOGIC_COPY_INVERTED,
+        [VK_LOGIC_OP_OR_INVERTED] = RHW_LOGIC_OR_INVERTED,
+        [VK_LOGIC_OP_NAND] = RHW_LOGIC_NAND,
+        [VK_LOGIC_OP_SET] = RHW_LOGIC_SET,
+    };
+    return PICK(table, operation);
+}
+
+enum rhw_topology vulkan_topology(VkPrimitiveTopology topology)
+{
+    static const enum rhw_topology table[] = {
+        [VK_PRIMITIVE_TOPOLOGY_POINT_LIST] = RHW_POINT_LIST,
+        [VK_PRIMITIVE_TOPOLOGY_LINE_LIST] = RHW_LINE_LIST,
+        [VK_PRIMITIVE_TOPOLOGY_LINE_STRIP] = RHW_LINE_STRIP,
+        [VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST] = RHW_TRIANGLE_LIST,
+        [VK_PRIMITIVE_TOPOLOGY_TRIANGLE_STRIP] = RHW_TRIANGLE_STRIP,
+        [VK_PRIMITIVE_TOPOLOGY_TRIANGLE_FAN] = RHW_TRIANGLE_FAN,
+        [VK_PRIMITIVE_TOPOLOGY_LINE_LIST_WITH_ADJACENCY] = RHW_LINE_LIST_ADJACENCY,
+        [VK_PRIMITIVE_TOPOLOGY_LINE_STRIP_WITH_ADJACENCY] = RHW_LINE_STRIP_ADJACENCY,
+        [VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST_WITH_ADJACENCY] = RHW_TRIANGLE_LIST_ADJACENCY,
+        [VK_PRIMITIVE_TOPOLOGY_TRIANGLE_STRIP_WITH_ADJACENCY] = RHW_TRIANGLE_STRIP_ADJACENCY,
+    };
+    return PICK(table, topology);
+}

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: MIT
+#include "image_view.h"
+
+#include "format.h"
+
+static enum rhw_format view_format(const VkImageViewCreateInfo *info)
+{
+    const enum rhw_format format = vulkan_format(info->format);
+    switch (format) {
+    case RHW_FORMAT_D24_UNORM_S8_UINT:
+    case RHW_FORMAT_D32_FLOAT_S8_UINT:
+    case RHW_FORMAT_S8_UINT: break;
+    default: return format;
+    }
+    if (info->subresourceRange.aspectMask == VK_IMAGE_ASPECT_STENCIL_BIT) {
+        return RHW_FORMAT_R8_UINT;
+    }
+    return format == RHW_FORMAT_D24_UNORM_S8_UINT ? RHW_FORMAT_D24_UNORM : RHW_FORMAT_D32_FLOAT;
+}
+
+VKAPI_ATTR VkResult VKAPI_CALL vkCreateImageView(VkDevice device, const VkImageViewCreateInfo *info,
+                                                 const VkAllocationCallbacks *callbacks, VkImageView *view)
+{
+    *view = VK_NULL_HANDLE;
+    const VkImageView made = vulkan_device_allocate(device, callbacks, sizeof *made);
+    if (!made) {
+        return VK_ERROR_OUT_OF_HOST_MEMORY;
+    }
+    made->image = info->image;
+    made->type = info->viewType;
+    made->vulkan_format = info->format;
+    made->format = view_format(info);
+    made->components = info->components;
+    made->range = info->subresourceRange;
+    VkImageSubresourceRange *const range = &made->range;
+    if (range->levelCount == VK_REMAINING_MIP_LEVELS) {
+        range->levelCount = info->image->levels - range->baseMipLevel;
+    }
+    if (range->layerCount == VK_REMAINING_ARRAY_LAYERS) {
+        const uint32_t slices =
+            made->type == VK_IMAGE_VIEW_TYPE_3D ? 1 : vulkan_image_slices(info->image, range->baseMipLevel);
+        range->layerCount = slices - range->baseArrayLayer;
+    }
+    *view = made;
+    return VK_SUCCESS;
+}
+
+VKAPI_ATTR void VKAPI_CALL vkDestroyImageView(VkDevice device, VkImageView view,
+                                              const VkAllocationCallbacks *callbacks)
+{
+    if (view) {
+        vulkan_retire_texture(&device->queue, view->view);
+        vulkan_retire_texture(&device->queue, view->target);
+        vulkan_device_free(device, callbacks, view);
+    }
+}
+
+static enum rhw_texture_kind kind_of(VkImageViewType type)
+{
+    switch (type) {
+    case VK_IMAGE_VIEW_TYPE_1D:
+    case VK_IMAGE_VIEW_TYPE_1D_ARRAY: return RHW_TEXTURE_1D;
+    case VK_IMAGE_VIEW_TYPE_3D: return RHW_TEXTURE_3D;
+    case VK_IMAGE_VIEW_TYPE_CUBE:
+    case VK_IMAGE_VIEW_TYPE_CUBE_ARRAY: return RHW_TEXTURE_CUBE;
+    default: return RHW_TEXTURE_2D;
+    }
+}
+
+// Return the layers of an array, cubes of an array of cubes, or 0 of what is no array.
+static int array_layers(VkImageView view)
+{
+    switch (view->type) {
+    case VK_IMAGE_VIEW_TYPE_1D_ARRAY:
+    case VK_IMAGE_VIEW_TYPE_2D_ARRAY: return (int)view->range.layerCount;
+    case VK_IMAGE_VIEW_TYPE_CUBE_ARRAY: return (int)view->range.layerCount / 6;
+    default: return 0;
+    }
+}
+
+static enum rhw_swizzle swizzle_of(VkComponentSwizzle swizzle)
+{
+    static const enum rhw_swizzle swizzles[] = {
+        [VK_COMPONENT_SWIZZLE_IDENTITY] = RHW_SWIZZLE_IDENTITY,
+        [VK_COMPONENT_SWIZZLE_ZERO] = RHW_SWIZZLE_ZERO,
+        [VK_COMPONENT_SWIZZLE_ONE] = RHW_SWIZZLE_ONE,
+        [VK_COMPONENT_SWIZZLE_R] = RHW_SWIZZLE_RED,
+        [VK_COMPONENT_SWIZZLE_G] = RHW_SWIZZLE_GREEN,
+        [VK_COMPONENT_SWIZZLE_B] = RHW_SWIZZLE_BLUE,
+        [VK_COMPONENT_SWIZZLE_A] = RHW_SWIZZLE_ALPHA,
+    };
+    return (unsigned)swizzle < sizeof swizzles / sizeof *swizzles ? swizzles[swizzle] : RHW_SWIZZLE_IDENTITY;
+}
+
+// Make the view for shaders, if it is not there. Return false if memory is lost.
+static bool make_view(VkQueue queue, VkImageView view)
+{
+    if (view->view.context != 0) {
+        return true;
+    }
+    struct rhw_texture_view_def def = {
+        .format = view->format,
+        .kind = kind_of(view->type),
+        .level = (int)view->range.baseMipLevel,
+        .levels = (int)view->range.levelCount,
+        .layer = (int)view->range.baseArrayLayer,
+        .layers = array_layers(view),
+        .swizzle = {swizzle_of(view->components.r), swizzle_of(view->components.g),
+                    swizzle_of(view->components.b), swizzle_of(view->components.a)},
+    };
+    return vulkan_image_texture(queue, view->image, &def.texture) == VK_SUCCESS &&
+           rhw_texture_view_create(queue->context, &def, &view->view) == RHW_OK;
+}
+
+const struct rhw_binding *vulkan_image_view_texture(VkQueue queue, VkImageView view)
+{
+    if (!view->has_texture) {
+        const rhw_sampler none = {0};
+        view->has_texture = make_view(queue, view) && rhw_binding_of_texture(queue->context, view->view, none,
+                                                                             &view->texture) == RHW_OK;
+    }
+    return view->has_texture ? &view->texture : NULL;
+}
+
+const struct rhw_binding *vulkan_image_view_storage(VkQueue queue, VkImageView view)
+{
+    if (!view->has_storage) {
+        view->has_storage = make_view(queue, view) && rhw_binding_of_image(queue->context, view->view, 0,
+                                                                           false, &view->storage) == RHW_OK;
+    }
+    return view->has_storage ? &view->storage : NULL;
+}
+
+// Return the format of an attachment: depth and stencil are drawn together.
+static enum rhw_format target_format(VkImageView view)
+{
+    const bool is_color = vulkan_format_aspects(view->image->vulkan_format) == VK_IMAGE_ASPECT_COLOR_BIT;
+    return is_color ? view->format : view->image->format;
+}
+
+VkResult vulkan_image_view_target(VkQueue queue, VkImageView view, rhw_texture *target)
+{
+    const VkImage image = view->image;
+    const VkResult result = vulkan_image_texture(queue, image, target);
+    const bool is_whole = image->levels == 1 && image->layers == 1 && image->type != VK_IMAGE_TYPE_3D &&
+                          target_format(view) == image->format;
+    if (result != VK_SUCCESS || is_whole) {
+        return result;
+    }
+    if (view->target.context == 0) {
+        const struct rhw_texture_view_def def = {
+            .texture = *target,
+            .format = target_format(view),
+            .kind = image->type == VK_IMAGE_TYPE_1D ? RHW_TEXTURE_1D : RHW_TEXTURE_2D,
+            .level = (int)view->range.baseMipLevel,
+            .levels = 1,
+            .layer = (int)view->range.baseArrayLayer,
+            .layers = (int)view->range.layerCount,
+        };
+        if (rhw_texture_view_create(queue->context, &def, &view->target) != RHW_OK) {
+            return VK_ERROR_DEVICE_LOST;
+        }
+    }
+    *target = view->target;
+    return VK_SUCCESS;
+}
