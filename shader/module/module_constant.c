@@ -26,6 +26,14 @@ static void read_number(struct shader_module *module, uint32_t word, const struc
     *scalar = shader_extend(type, module->words[word + 3]);
 }
 
+// Return whether a constant of one type may be a part of another. Naga (wgpu) gives vectors of unsigned integers parts that
+// are signed, which drivers take.
+static bool is_part(const struct shader_type *type, const struct shader_type *expected)
+{
+    return type == expected ||
+           (type->kind == SHADER_INT && expected->kind == SHADER_INT && type->bits == expected->bits);
+}
+
 // Put the scalars of the parts of a composite behind one another.
 static void read_composite(struct shader_module *module, uint32_t word, const struct shader_type *type,
                            uint32_t *scalars)
@@ -41,7 +49,7 @@ static void read_composite(struct shader_module *module, uint32_t word, const st
     for (uint32_t i = 0; i < count; i++) {
         const struct shader_constant *const part =
             shader_constant_of_id(module, word, module->words[word + 3 + i]);
-        if (part->type != (is_struct ? type->members[i].type : type->element)) {
+        if (!is_part(part->type, is_struct ? type->members[i].type : type->element)) {
             shader_refuse(module, word, "part %u is of another type", (unsigned)i);
         }
         memcpy(scalars, part->scalars, part->type->scalars * sizeof *scalars);

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Finds comments of include/, src/, shader/, vulkan/, glsl/ and scene/ that lean on their neighbour, and lines that are too wide,
-these also in system/, tools/ and python/src.
+"""Finds comments of include/, src/, shader/, vulkan/, glsl/ and scene/ that lean on their neighbour, and lines that are
+too wide, these also in system/, tools/ and python/src.
 
 A comment is read where it stands, without the one above it, so none begins with a word that points there: "Does so …",
 "The same …", "Those …", "Likewise …", "And …". Lines have at most 120 columns; clang-format holds code to 110.

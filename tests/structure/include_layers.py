@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""How files of src/, shader/ and scene/ include each other.
+"""How files of src/, shader/, vulkan/ and scene/ include each other.
 
 (a) Rooms point down: a file includes nothing of a room above its own, or of one beside it.
 (b) So do the folders of src/kernels, also by way of headers at its root, which belong to no folder.
 (c) No large circle of source-and-header pairs outside of src/kernels.
 (d) No long chain of includes within src/kernels.
+(e) The driver in vulkan/ sees src/driver.h alone of src/.
 usage: include_layers.py REPOSITORY
 """
 import os
@@ -71,6 +72,19 @@ def through_root(includes):
     return {file: sorted(set(ends(file, set()))) for file in includes if os.path.dirname(file)}
 
 
+def beyond_door(folder):
+    """Lines that tell which files of the driver include what is neither their own nor the door."""
+    for path, _, names in os.walk(folder):
+        for name in sorted(names):
+            if not name.endswith(('.c', '.h')):
+                continue
+            with open(os.path.join(path, name), encoding='utf-8') as text:
+                for to in re.findall(r'^#include "(.+)"', text.read(), re.MULTILINE):
+                    is_own = any(os.path.exists(os.path.join(near, to)) for near in (path, folder))
+                    if not is_own and to != 'src/driver.h' and not to.startswith('rhw/'):
+                        yield f'{name} includes {to}'
+
+
 def reached(start, includes):
     """All that is included by way of others."""
     found, left = set(), [start]
@@ -121,6 +135,7 @@ def main(root):
         print(f'{folder}: the largest circle has {len(circle)} of at most {LARGEST_CIRCLE[folder]} pairs')
         if len(circle) > LARGEST_CIRCLE[folder]:
             flaws.append(f'{folder}: a circle of {len(circle)} source-and-header pairs: {" ".join(circle)}')
+    flaws += [f'vulkan/{line}' for line in beyond_door(os.path.join(root, 'vulkan'))]
     chain = longest_chain(kernels)
     print(f'src/kernels: the longest chain has {len(chain)} of at most {LONGEST_CHAIN} files')
     if len(chain) > LONGEST_CHAIN:

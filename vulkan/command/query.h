@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Queries. A query of librhw asks one pass. A query that is under way while passes open and close has a part for each of
-// them, and its answer is their sum.
+// Queries. A query of librhw asks one pass. A query that is under way while passes open and close has a part for each
+// of them, and its answer is their sum.
 #ifndef VULKAN_QUERY_H
 #define VULKAN_QUERY_H
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-// WebGPU feature by feature: each function draws or computes a little with numbers that every driver has exactly, and gives
-// the bytes. All of them make the hash; with `each` a line a feature tells which one differs between two drivers.
-// usage: features.js [each]
+// WebGPU feature by feature: each function draws or computes a little, with numbers that drivers have alike but for the last
+// bit of what is normalized, and gives the bytes. All of them make the hash. With `each` a line a feature tells which one
+// differs between two drivers, and with a name the bytes of that one.
+// usage: features.js [each [FEATURE]]
+import { Buffer } from "node:buffer";
 import { createHash } from "node:crypto";
 import process from "node:process";
 import { hashOf, isDeno, openDevice } from "./host.js";
@@ -542,8 +544,8 @@ const features = {
         return compute(`@group(0) @binding(0) var<storage, read_write> out: array<vec4u>;
             @compute @workgroup_size(64) fn main(@builtin(global_invocation_id) at: vec3u) {
                 let n = at.x * 2654435761u + 12345u; let s = bitcast<i32>(n);
-                out[at.x] = vec4u(countOneBits(n) + reverseBits(n), firstLeadingBit(n) ^ firstTrailingBit(n), extractBits(n, 5, 9) + insertBits(n, 3u, 4, 7), pack4x8unorm(vec4f(f32(at.x) / 64)))
-                    + vec4u(bitcast<u32>(s / 7), bitcast<u32>(s % 13), n / 11, n % 17) ^ vec4u(bitcast<u32>(abs(s)), bitcast<u32>(max(s, 5)), dot(vec3u(n), vec3u(1, 2, 3)), pack2x16float(vec2f(f32(at.x), 0.5)));
+                out[at.x] = (vec4u(countOneBits(n) + reverseBits(n), firstLeadingBit(n) ^ firstTrailingBit(n), extractBits(n, 5, 9) + insertBits(n, 3u, 4, 7), pack4x8unorm(vec4f(f32(at.x) / 64)))
+                    + vec4u(bitcast<u32>(s / 7), bitcast<u32>(s % 13), n / 11, n % 17)) ^ vec4u(bitcast<u32>(abs(s)), bitcast<u32>(max(s, 5)), dot(vec3u(n), vec3u(1, 2, 3)), pack2x16float(vec2f(f32(at.x), 0.5)));
             }`, 1024, []);
     },
     async half_and_matrices() {
