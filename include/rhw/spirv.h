@@ -216,10 +216,11 @@ struct rhw_shader_c_def {
     const char *source; ///< what it was made of, for the comment at its top; NULL says nothing
 };
 
-/// Give the machine code of a stage of a program to `write` as a text for people, piece by piece: instructions of x86-64
-/// with AVX2, beside what they are made of and lines of the source, if the module was compiled with them. The first line
-/// says if the interpreter executes the stage here instead. The text has no format that programs could rely on. Results
-/// and `message` are those of rhw_shader_create; a stage that the program does not have is RHW_ERROR_MISUSE.
+/// Give the machine code of a stage of a program to `write` as a text for people, piece by piece: instructions of
+/// x86-64 with AVX2, beside what they are made of and lines of the source, if the module was compiled with them. The
+/// first line says if the interpreter executes the stage here instead. The text has no format that programs could rely
+/// on. Results and `message` are those of rhw_shader_create; a stage that the program does not have is
+/// RHW_ERROR_MISUSE.
 RHW_API enum rhw_result rhw_shader_program_print_code(
     const rhw_shader_program *program, enum rhw_shader_stage stage,
     void (*write)(void *user, const char *text, size_t size), void *user, char *message);

@@ -48,8 +48,8 @@ static void find_structures(struct shader_memory *memory, struct shader_plan *pl
         plan->block[i] = block_stack[depth];
         if (opens(op)) {
             const uint32_t decider = op == SHADER_IF ? node->operands[0] : form->code[i];
-            plan->structures[i] = (struct shader_structure){.otherwise = SHADER_NONE,
-                                                              .is_uniform = is_uniform(plan, decider)};
+            plan->structures[i] =
+                (struct shader_structure){.otherwise = SHADER_NONE, .is_uniform = is_uniform(plan, decider)};
             stack[depth++] = i;
             block_stack[depth] = ++blocks;
         }
@@ -373,20 +373,20 @@ static void find_types(struct shader_plan *plan)
 }
 
 void shader_make_plan(struct shader_memory *memory, const struct shader_program *form,
-                        struct shader_plan *plan)
+                      struct shader_plan *plan)
 {
     const uint32_t nodes = form->node_count, places = form->code_count + 1;
     *plan = (struct shader_plan){.form = form,
-                                   .structures = shader_take(memory, places, sizeof *plan->structures),
-                                   .place = shader_take(memory, nodes, sizeof(uint32_t)),
-                                   .block = shader_take(memory, places, sizeof(uint32_t)),
-                                   .run = shader_take(memory, places, sizeof(uint32_t)),
-                                   .uses = shader_take(memory, nodes, sizeof(uint32_t)),
-                                   .last_use = shader_take(memory, nodes, sizeof(uint32_t)),
-                                   .is_float = shader_take(memory, nodes, sizeof(bool)),
-                                   .is_hoisted = shader_take(memory, nodes, sizeof(bool)),
-                                   .is_kept = shader_take(memory, nodes, sizeof(bool)),
-                                   .home_run = shader_take(memory, nodes, sizeof(uint32_t))};
+                                 .structures = shader_take(memory, places, sizeof *plan->structures),
+                                 .place = shader_take(memory, nodes, sizeof(uint32_t)),
+                                 .block = shader_take(memory, places, sizeof(uint32_t)),
+                                 .run = shader_take(memory, places, sizeof(uint32_t)),
+                                 .uses = shader_take(memory, nodes, sizeof(uint32_t)),
+                                 .last_use = shader_take(memory, nodes, sizeof(uint32_t)),
+                                 .is_float = shader_take(memory, nodes, sizeof(bool)),
+                                 .is_hoisted = shader_take(memory, nodes, sizeof(bool)),
+                                 .is_kept = shader_take(memory, nodes, sizeof(bool)),
+                                 .home_run = shader_take(memory, nodes, sizeof(uint32_t))};
     for (uint32_t value = 0; value < nodes; value++) {
         plan->place[value] = SHADER_NONE;
     }

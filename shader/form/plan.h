@@ -25,8 +25,8 @@ struct shader_structure {
 struct shader_plan {
     const struct shader_program *form;
     struct shader_structure *structures; // by place
-    uint32_t *place;                       // by value: where it stands in the code, or SHADER_NONE
-    uint32_t *block;                       // by place: number of the block around it
+    uint32_t *place;                     // by value: where it stands in the code, or SHADER_NONE
+    uint32_t *block;                     // by place: number of the block around it
     uint32_t *run;             // by place: number of the run, or SHADER_NONE at cuts and wide structure
     uint32_t *uses, *last_use; // by value: how often it is read, and a place where it is read
     bool *is_float;            // by value: what it is declared as
@@ -41,6 +41,6 @@ struct shader_plan {
 bool shader_is_cut(const struct shader_plan *plan, uint32_t place);
 bool shader_is_wide(const struct shader_plan *plan, uint32_t place);
 void shader_make_plan(struct shader_memory *memory, const struct shader_program *form,
-                        struct shader_plan *plan);
+                      struct shader_plan *plan);
 
 #endif

@@ -14,7 +14,7 @@ struct rhw_shader_program {
     struct shader_slot *slots[STAGES];
     struct shader_stages stages;
     struct shader_machine_block machine[STAGES]; // generated code, where there is some
-    struct rhw_shader_layout *layout; // by set and binding, each once
+    struct rhw_shader_layout *layout;            // by set and binding, each once
     uint32_t layout_count;
     bool is_interpreted;
     struct rhw_program program;
@@ -22,7 +22,8 @@ struct rhw_shader_program {
 };
 
 // Describe a stage of the program to the back end, with its slots in an array of as many as it has resources.
-struct shader_machine_stage shader_describe_stage(const rhw_shader_program *program, enum rhw_shader_stage kind,
+struct shader_machine_stage shader_describe_stage(const rhw_shader_program *program,
+                                                  enum rhw_shader_stage kind,
                                                   struct shader_machine_slot *slots);
 
 #endif

@@ -126,8 +126,8 @@ static void take_words(struct shader_found *found)
 static void call_FIND_WORDS(const struct rhw_shader_frame *frame, const struct shader_site *site,
                             uint32_t element, struct shader_found *found)
 {
-    found->binding = rhw_spirv_element(frame, site->texture.set, site->texture.first, site->texture.count,
-                                       element);
+    found->binding =
+        rhw_spirv_element(frame, site->texture.set, site->texture.first, site->texture.count, element);
     found->words = NULL;
     found->count = 0;
     if (site->flags != 0) {
@@ -154,7 +154,7 @@ static void call_FIND_PAIR(const struct shader_found *texture, const struct shad
 struct named {
     const struct rhw_shader_frame *frame;
     const struct shader_site *site;
-    const struct shader_found *one; // that all lanes name, or NULL
+    const struct shader_found *one; // the binding of all lanes, or NULL
     rhw_int texture, sampler;       // elements
     rhw_int todo, lanes;
     const struct rhw_binding *binding;
@@ -181,8 +181,8 @@ static bool next_binding(struct named *named)
     }
     const struct shader_site *const site = named->site;
     const uint32_t element = (uint32_t)rhw_binding_next(named->texture, &named->todo, &named->lanes);
-    named->binding = rhw_spirv_element(named->frame, site->texture.set, site->texture.first,
-                                       site->texture.count, element);
+    named->binding =
+        rhw_spirv_element(named->frame, site->texture.set, site->texture.first, site->texture.count, element);
     if (site->sampler.count > 0) {
         rhw_int same = named->lanes, rest = named->lanes;
         const uint32_t other = (uint32_t)rhw_binding_next(named->sampler, &rest, &same);
@@ -276,8 +276,7 @@ static rhw_int call_ATOMIC(const struct rhw_shader_frame *frame, const struct sh
 {
     rhw_int before = rhw_splat_int(0);
     for (struct named n = begin_named(frame, site, one, element, mask); next_binding(&n);) {
-        before |=
-            rhw_spirv_atomic(n.binding, operation_of(site->flags), index, value, comparand, n.lanes);
+        before |= rhw_spirv_atomic(n.binding, operation_of(site->flags), index, value, comparand, n.lanes);
     }
     return before;
 }
@@ -289,8 +288,7 @@ static rhw_int call_IMAGE_ATOMIC(const struct rhw_shader_frame *frame, const str
     const rhw_int at[4] = {x, y, z};
     rhw_int before = rhw_splat_int(0);
     for (struct named n = begin_named(frame, site, one, element, mask); next_binding(&n);) {
-        before |=
-            rhw_spirv_image_atomic(n.binding, operation_of(site->flags), at, value, comparand, n.lanes);
+        before |= rhw_spirv_image_atomic(n.binding, operation_of(site->flags), at, value, comparand, n.lanes);
     }
     return before;
 }
@@ -394,18 +392,73 @@ static int call_GIVEN_UP(const struct rhw_bindings *bindings)
 #define ENTRY(name) [SHADER_##name] = (shader_call_function *)call_##name
 #define MORE(name)  [SHADER_CALL_##name] = (shader_call_function *)call_##name
 static shader_call_function *const functions[SHADER_CALLS] = {
-    ENTRY(FLOAT_FROM_UINT), ENTRY(UINT_FROM_FLOAT), ENTRY(INT_FROM_FLOAT), ENTRY(UNPACK_LOW_HALF),
-    ENTRY(UNPACK_HIGH_HALF), ENTRY(BIT_REVERSE), ENTRY(BIT_COUNT), ENTRY(FIND_LOWEST), ENTRY(FIND_HIGHEST),
-    ENTRY(SIN), ENTRY(COS), ENTRY(TAN), ENTRY(ASIN), ENTRY(ACOS), ENTRY(ATAN), ENTRY(SINH), ENTRY(COSH),
-    ENTRY(TANH), ENTRY(ASINH), ENTRY(ACOSH), ENTRY(ATANH), ENTRY(EXP), ENTRY(LOG), ENTRY(EXP2), ENTRY(LOG2),
-    ENTRY(RSQRT), ENTRY(FREXP_FRACTION), ENTRY(FREXP_EXPONENT), ENTRY(PACK_HALVES), ENTRY(IMUL_HIGH),
-    ENTRY(UMUL_HIGH), ENTRY(IDIV), ENTRY(UDIV), ENTRY(IREM), ENTRY(UREM), ENTRY(ATAN2), ENTRY(POW),
-    ENTRY(LDEXP), ENTRY(BALLOT), ENTRY(SHUFFLE), ENTRY(SCAN), ENTRY(INPUT_BESIDE), ENTRY(INPUT_BELOW),
-    ENTRY(INPUT_AT), ENTRY(SAMPLE_X), ENTRY(SAMPLE_Y), ENTRY(LOAD), ENTRY(STORE), ENTRY(STORE8),
-    [SHADER_STORE16] = (shader_call_function *)call_STORE8, ENTRY(LENGTH), ENTRY(ATOMIC), ENTRY(IMAGE_ATOMIC),
-    ENTRY(TABLE), ENTRY(SAMPLE), ENTRY(IMAGE_STORE), MORE(PUSH_WORD), MORE(PUSH), MORE(FIND_WORDS),
-    MORE(FIND_SHARED), MORE(FIND_PAIR), MORE(GATHER), MORE(LOAD_WORDS), MORE(SHARE), MORE(OWN),
-    MORE(OWN_STORE), MORE(GIVEN_UP),
+    ENTRY(FLOAT_FROM_UINT),
+    ENTRY(UINT_FROM_FLOAT),
+    ENTRY(INT_FROM_FLOAT),
+    ENTRY(UNPACK_LOW_HALF),
+    ENTRY(UNPACK_HIGH_HALF),
+    ENTRY(BIT_REVERSE),
+    ENTRY(BIT_COUNT),
+    ENTRY(FIND_LOWEST),
+    ENTRY(FIND_HIGHEST),
+    ENTRY(SIN),
+    ENTRY(COS),
+    ENTRY(TAN),
+    ENTRY(ASIN),
+    ENTRY(ACOS),
+    ENTRY(ATAN),
+    ENTRY(SINH),
+    ENTRY(COSH),
+    ENTRY(TANH),
+    ENTRY(ASINH),
+    ENTRY(ACOSH),
+    ENTRY(ATANH),
+    ENTRY(EXP),
+    ENTRY(LOG),
+    ENTRY(EXP2),
+    ENTRY(LOG2),
+    ENTRY(RSQRT),
+    ENTRY(FREXP_FRACTION),
+    ENTRY(FREXP_EXPONENT),
+    ENTRY(PACK_HALVES),
+    ENTRY(IMUL_HIGH),
+    ENTRY(UMUL_HIGH),
+    ENTRY(IDIV),
+    ENTRY(UDIV),
+    ENTRY(IREM),
+    ENTRY(UREM),
+    ENTRY(ATAN2),
+    ENTRY(POW),
+    ENTRY(LDEXP),
+    ENTRY(BALLOT),
+    ENTRY(SHUFFLE),
+    ENTRY(SCAN),
+    ENTRY(INPUT_BESIDE),
+    ENTRY(INPUT_BELOW),
+    ENTRY(INPUT_AT),
+    ENTRY(SAMPLE_X),
+    ENTRY(SAMPLE_Y),
+    ENTRY(LOAD),
+    ENTRY(STORE),
+    ENTRY(STORE8),
+    [SHADER_STORE16] = (shader_call_function *)call_STORE8,
+    ENTRY(LENGTH),
+    ENTRY(ATOMIC),
+    ENTRY(IMAGE_ATOMIC),
+    ENTRY(TABLE),
+    ENTRY(SAMPLE),
+    ENTRY(IMAGE_STORE),
+    MORE(PUSH_WORD),
+    MORE(PUSH),
+    MORE(FIND_WORDS),
+    MORE(FIND_SHARED),
+    MORE(FIND_PAIR),
+    MORE(GATHER),
+    MORE(LOAD_WORDS),
+    MORE(SHARE),
+    MORE(OWN),
+    MORE(OWN_STORE),
+    MORE(GIVEN_UP),
 };
 #undef ENTRY
 #undef MORE

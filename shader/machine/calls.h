@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What generated code calls: the inline functions of the library, compiled for AVX2, so that its bits are those of every
-// back end. Vectors are passed in registers as the System V ABI has it for functions that are compiled for AVX.
+// What generated code calls: the inline functions of the library, compiled for AVX2, so that its bits are those of
+// every back end. Vectors are passed in registers, as the System V ABI has it for functions that are compiled for AVX.
 #ifndef SHADER_CALLS_H
 #define SHADER_CALLS_H
 
@@ -10,8 +10,8 @@
 
 // A function by the operation that needs it, and these.
 enum shader_call {
-    SHADER_CALL_PUSH_WORD = SHADER_OP_COUNT, // of all lanes alike
-    SHADER_CALL_PUSH,                        // lane by lane
+    SHADER_CALL_PUSH_WORD = SHADER_OP_COUNT, // a word for all lanes
+    SHADER_CALL_PUSH,                        // a word for each lane
     SHADER_CALL_FIND_WORDS,
     SHADER_CALL_FIND_SHARED,
     SHADER_CALL_FIND_PAIR,

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Structure that each group goes through by itself, and which lanes are active. The mask of active lanes at a place is a
-// value of its own, so that it needs nothing to come back to an outer one. `alive` has the lanes that have not left: what
-// is active behind structure that loses lanes is what came in and is alive. Structure whose lanes all go one way is
-// jumps alone.
+// Structure that each group goes through by itself, and which lanes are active. The mask of active lanes at a place is
+// a value of its own, so that it needs nothing to come back to an outer one. `alive` has the lanes that have not left:
+// what is active behind structure that loses lanes is what came in and is alive. Structure whose lanes all go one way
+// is jumps alone.
 #include "generator.h"
 
 enum { WORTH_A_JUMP = 8, ROUNDS_A_QUESTION = 256 };
@@ -176,7 +176,8 @@ static void generate_if(struct shader_generator *g, uint32_t place)
     const uint32_t before = g->mask;
     const bool has_else = structure->otherwise != SHADER_NONE;
     const uint32_t middle = has_else ? structure->otherwise : structure->end;
-    struct shader_edge *const otherwise = shader_new_edge(g), *const end = has_else ? shader_new_edge(g) : otherwise;
+    struct shader_edge *const otherwise = shader_new_edge(g), *const end =
+                                                                  has_else ? shader_new_edge(g) : otherwise;
     uint32_t inside = before;
     if (structure->is_uniform) {
         shader_test_alike(g, condition);

@@ -13,7 +13,7 @@
 #include "calls.h"
 #include "encoder.h"
 #include "form/plan.h"
-#include "machine.h"
+#include "linked_stage.h"
 
 enum { VECTOR = 32, REGISTERS = 16, NO_COMPONENT = 0xff };
 
@@ -45,7 +45,7 @@ struct shader_machine_value {
     uint8_t home;      // enum shader_home_kind
     bool is_stored;    // the home has what the register has
     bool is_kept;      // its home lies in the record
-    uint32_t offset;   // of the home
+    uint32_t offset;   // place of the home
     uint32_t end;      // the last place that may read it; UINT32_MAX: some place of the next run or group
     uint32_t use;      // entry of its uses that comes next
     uint32_t next_end; // the next value with this end, counted from 1
@@ -75,30 +75,30 @@ struct shader_generator {
     struct shader_machine_value *values;
     size_t value_room;
     uint32_t value_count;
-    uint32_t *first_use, *uses; // by node: where its uses begin; places
-    uint32_t *first_end;        // by place: the first value that ends there, counted from 1
-    uint32_t holds[REGISTERS];  // values; SHADER_NONE: none
-    uint32_t allowed, locked;   // sets of registers
-    uint32_t place;             // of the node whose code is written
-    bool is_once;               // code that runs once a call is written
-    struct shader_free_list homes, blocks; // of a vector, and of 4
-    uint32_t frame_size, record_size; // bytes
-    uint32_t own;                     // offset of the lanes' memory, in the frame or record
+    uint32_t *first_use, *uses;            // by node: where its uses begin; places
+    uint32_t *first_end;                   // by place: the first value that ends there, counted from 1
+    uint32_t holds[REGISTERS];             // values; SHADER_NONE: none
+    uint32_t allowed, locked;              // sets of registers
+    uint32_t place;                        // where the node stands whose code is written
+    bool is_once;                          // code that runs once a call is written
+    struct shader_free_list homes, blocks; // homes of one vector, and of 4
+    uint32_t frame_size, record_size;      // bytes
+    uint32_t own;                          // offset of the lanes' memory, in the frame or record
     // Structure
-    uint32_t mask, alive;     // values: active lanes, and those that have not left
-    uint32_t block_mask;      // the mask with which the block began
-    uint32_t run_mask;        // the mask with which the run began
-    uint32_t divergence;      // structures around this place whose lanes go different ways
-    uint32_t loop_depth;      // loops of the run around this place
-    bool is_dead;             // no lane comes to this place
-    bool is_gone;             // code does not come to this place
-    bool is_run_open;         // this place is in a loop over groups
-    uint32_t group_loop;      // label where a loop over groups goes back to
-    uint32_t exit;            // label of the end of the function
+    uint32_t mask, alive;          // values: active lanes, and those that have not left
+    uint32_t block_mask;           // the mask with which the block began
+    uint32_t run_mask;             // the mask with which the run began
+    uint32_t divergence;           // structures around this place whose lanes go different ways
+    uint32_t loop_depth;           // loops of the run around this place
+    bool is_dead;                  // no lane comes to this place
+    bool is_gone;                  // code does not come to this place
+    bool is_run_open;              // this place is in a loop over groups
+    uint32_t group_loop;           // label where a loop over groups goes back to
+    uint32_t exit;                 // label of the end of the function
     struct shader_edge *group_end; // where the code of a group ends
     struct shader_edge **ends;     // by place of structure: where it ends
     uint32_t *left; // by place of structure: the lanes that have left, or those that were alive before
-    struct shader_machine_pair *pairs;  // textures and samplers that are put together once a call
+    struct shader_machine_pair *pairs; // textures and samplers that are put together once a call
     size_t pair_room;
     uint32_t pair_count;
 };
@@ -165,7 +165,12 @@ shader_call_function *shader_machine_function(unsigned which);
 
 // What an integer register receives.
 struct shader_argument {
-    enum { SHADER_BY_NUMBER, SHADER_BY_ADDRESS, SHADER_BY_WORD, SHADER_BY_POINTER } kind; // what an operand is or has
+    enum {
+        SHADER_BY_NUMBER,
+        SHADER_BY_ADDRESS,
+        SHADER_BY_WORD,
+        SHADER_BY_POINTER
+    } kind; // what an operand is or has
     uint64_t number;
     struct x86_operand at;
 };
@@ -244,7 +249,8 @@ struct shader_generated {
 // Generate the code of a stage, by the first so many registers, at most 16. Return false where it needs more of the
 // stack than it may take.
 bool shader_generate(struct shader_memory *memory, const struct shader_machine_stage *stage,
-                     enum rhw_shader_stage kind, int registers, bool has_records, struct shader_generated *made);
+                     enum rhw_shader_stage kind, int registers, bool has_records,
+                     struct shader_generated *made);
 
 // A member of struct shader_machine_frame as an operand.
 #define SHADER_FRAME(member) x86_at(X86_RSP, (int32_t)offsetof(struct shader_machine_frame, member))

@@ -16,7 +16,8 @@ static bool is_one_image(const struct shader_generator *g, uint32_t texture, uin
 
 // Pairs ----------------------------------------------------------------------------------------------
 
-static struct shader_machine_pair *find_pair(const struct shader_generator *g, uint32_t texture, uint32_t sampler)
+static struct shader_machine_pair *find_pair(const struct shader_generator *g, uint32_t texture,
+                                             uint32_t sampler)
 {
     for (uint32_t i = 0; i < g->pair_count; i++) {
         if (g->pairs[i].texture == texture && g->pairs[i].sampler == sampler) {
@@ -79,8 +80,9 @@ static void put_operands(struct shader_generator *g, const uint32_t *values, uin
     for (uint32_t i = count; i < all; i++) {
         const int zero = shader_temporary(g);
         shader_put(g, X86_VXORPS, zero, zero, x86_reg(zero));
-        shader_put(g, X86_VMOVUPS_STORE, zero, 0,
-                   x86_at(X86_RSP, (int32_t)(offsetof(struct shader_machine_frame, request) + offset + VECTOR * i)));
+        shader_put(
+            g, X86_VMOVUPS_STORE, zero, 0,
+            x86_at(X86_RSP, (int32_t)(offsetof(struct shader_machine_frame, request) + offset + VECTOR * i)));
         shader_unlock(g);
     }
 }
@@ -102,7 +104,8 @@ static void put_request(struct shader_generator *g, const uint32_t *operands, ui
     put_operands(g, &operands[SHADER_IMAGE_COORDINATES], count < 4 ? count : 4, 4,
                  offsetof(struct shader_request, at));
     if (flags & SHADER_IMAGE_HAS_GRADIENT) {
-        put_operands(g, &operands[SHADER_IMAGE_DX], spatial, spatial, offsetof(struct shader_request, gradient));
+        put_operands(g, &operands[SHADER_IMAGE_DX], spatial, spatial,
+                     offsetof(struct shader_request, gradient));
         put_operands(g, &operands[SHADER_IMAGE_DY], spatial, 6 - spatial,
                      offsetof(struct shader_request, gradient) + VECTOR * spatial);
     }
@@ -146,11 +149,11 @@ static void invoke_image(struct shader_generator *g, uint32_t value, bool is_sto
     struct shader_invocation call = {.which = node->op, .argument_count = 4, .result = SHADER_NONE};
     call.arguments[0] = shader_bound_argument();
     call.arguments[1] = shader_site_argument(g, texture, sampler, node->immediate, 0);
-    call.arguments[2] = !is_one ? shader_number_argument(0)
-                        : sampler == SHADER_NONE
-                            ? shader_found_argument(g, texture)
-                            : shader_address_argument(
-                                  x86_at(X86_RSP, (int32_t)find_pair(g, texture, sampler)->offset));
+    call.arguments[2] =
+        !is_one ? shader_number_argument(0)
+        : sampler == SHADER_NONE
+            ? shader_found_argument(g, texture)
+            : shader_address_argument(x86_at(X86_RSP, (int32_t)find_pair(g, texture, sampler)->offset));
     call.arguments[3] = shader_address_argument(SHADER_FRAME(request));
     if (!is_store) {
         shader_take_block(g, value);

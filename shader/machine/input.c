@@ -64,7 +64,8 @@ static void invoke_sample_place(struct shader_generator *g, uint32_t value)
 static void define_lane_numbers(struct shader_generator *g, uint32_t value)
 {
     static const int32_t numbers[RHW_LANES] = {0, 1, 2, 3, 4, 5, 6, 7};
-    shader_put(g, X86_VMOVUPS, shader_result(g, value), 0, shader_pool_bytes(&g->code, numbers, sizeof numbers));
+    shader_put(g, X86_VMOVUPS, shader_result(g, value), 0,
+               shader_pool_bytes(&g->code, numbers, sizeof numbers));
 }
 
 static void define_zero(struct shader_generator *g, uint32_t value)
@@ -90,7 +91,7 @@ static void select_fragment_built_in(struct shader_generator *g, uint32_t value,
         [SHADER_IN_LAYER] = offsetof(struct rhw_fragment, layer),
         [SHADER_IN_VIEWPORT] = offsetof(struct rhw_fragment, viewport_index),
     };
-    if (number == SHADER_IN_SAMPLE_MASK) { // which outputs change
+    if (number == SHADER_IN_SAMPLE_MASK) { // an output changes it
         shader_put(g, X86_VMOVUPS, shader_result(g, value), 0,
                    x86_at(X86_RBX, offsetof(struct rhw_fragment, sample_mask)));
     } else if (number == SHADER_IN_LANE) {
@@ -118,7 +119,8 @@ static void select_invocation_built_in(struct shader_generator *g, uint32_t valu
         const size_t offset =
             number >= SHADER_IN_WORKGROUP
                 ? offsetof(struct rhw_workgroup, id) + sizeof(int32_t) * (number - SHADER_IN_WORKGROUP)
-                : offsetof(struct rhw_workgroup, counts) + sizeof(int32_t) * (number - SHADER_IN_WORKGROUP_COUNT);
+                : offsetof(struct rhw_workgroup, counts) +
+                      sizeof(int32_t) * (number - SHADER_IN_WORKGROUP_COUNT);
         shader_put(g, X86_VBROADCASTSS, shader_result(g, value), 0, x86_at(X86_R14, (int32_t)offset));
     } else {
         define_zero(g, value);

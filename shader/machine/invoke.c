@@ -72,7 +72,8 @@ static void move_registers(struct shader_generator *g, struct moves *moves)
             // Whoever waits for register `stuck` reads a copy of it.
             shader_put(g, X86_VMOVAPS, REGISTERS - 1, 0, x86_reg(stuck));
             for (int i = 0; i < moves->count; i++) {
-                moves->from[i] = !moves->is_done[i] && moves->from[i] == stuck ? REGISTERS - 1 : moves->from[i];
+                moves->from[i] =
+                    !moves->is_done[i] && moves->from[i] == stuck ? REGISTERS - 1 : moves->from[i];
             }
         }
     }
@@ -97,8 +98,7 @@ static void put_vectors(struct shader_generator *g, const struct shader_invocati
 
 static void put_arguments(struct shader_generator *g, const struct shader_invocation *invocation)
 {
-    static const int registers[SHADER_MAX_ARGUMENTS] = {X86_RDI, X86_RSI, X86_RDX,
-                                                        X86_RCX, X86_R8,  X86_R9};
+    static const int registers[SHADER_MAX_ARGUMENTS] = {X86_RDI, X86_RSI, X86_RDX, X86_RCX, X86_R8, X86_R9};
     for (int i = 0; i < invocation->argument_count; i++) {
         const struct shader_argument *const argument = &invocation->arguments[i];
         switch (argument->kind) {

@@ -28,7 +28,8 @@ static struct x86_operand found_at(const struct shader_generator *g, uint32_t bu
 
 struct shader_argument shader_found_argument(struct shader_generator *g, uint32_t buffer)
 {
-    return shader_is_one(g, buffer) ? shader_address_argument(found_at(g, buffer, 0)) : shader_number_argument(0);
+    return shader_is_one(g, buffer) ? shader_address_argument(found_at(g, buffer, 0))
+                                    : shader_number_argument(0);
 }
 
 struct shader_argument shader_site_argument(struct shader_generator *g, uint32_t texture, uint32_t sampler,
@@ -131,8 +132,9 @@ static void load_push_word(struct shader_generator *g, uint32_t value)
     const struct shader_invocation call = {
         .which = SHADER_CALL_PUSH_WORD,
         .argument_count = 2,
-        .arguments = {shader_bound_argument(), is_known ? shader_number_argument(index)
-                                                        : (struct shader_argument){SHADER_BY_WORD, 0, SHADER_FRAME(number)}},
+        .arguments = {shader_bound_argument(),
+                      is_known ? shader_number_argument(index)
+                               : (struct shader_argument){SHADER_BY_WORD, 0, SHADER_FRAME(number)}},
         .result = SHADER_NONE};
     shader_invoke(g, &call);
     const int result = shader_result(g, value);
@@ -169,8 +171,8 @@ static struct x86_operand own_at(const struct shader_generator *g, uint32_t word
 }
 
 // Words that all lanes name are vectors. Put one into `reg`, or from there, where it is.
-static void access_own_vector(struct shader_generator *g, const struct shader_node *node, uint32_t more, int reg,
-                              int mask, int old)
+static void access_own_vector(struct shader_generator *g, const struct shader_node *node, uint32_t more,
+                              int reg, int mask, int old)
 {
     uint32_t index = 0;
     const uint32_t end = shader_label_new(&g->code);
@@ -226,7 +228,8 @@ static struct shader_argument table_argument(const struct shader_generator *g)
 
 static void load_own(struct shader_generator *g, uint32_t value)
 {
-    const struct shader_node *const node = &g->form->nodes[value], *const from = &g->form->nodes[node->operands[0]];
+    const struct shader_node *const node = &g->form->nodes[value], *const from =
+                                                                       &g->form->nodes[node->operands[0]];
     const bool is_private = from->op == SHADER_PRIVATE;
     const bool is_alike = (g->form->nodes[node->operands[1]].flags & SHADER_UNIFORM) != 0;
     const uint32_t more = node->immediate + 4 * from->immediate;
@@ -237,7 +240,8 @@ static void load_own(struct shader_generator *g, uint32_t value)
         shader_assign(g, value, result);
         return;
     }
-    struct shader_invocation call = {.which = is_private ? SHADER_CALL_OWN : SHADER_TABLE, .argument_count = 2, .result = value};
+    struct shader_invocation call = {
+        .which = is_private ? SHADER_CALL_OWN : SHADER_TABLE, .argument_count = 2, .result = value};
     call.arguments[0] = is_private ? shader_address_argument(own_at(g, 0)) : table_argument(g);
     call.arguments[1] = shader_number_argument(is_private ? g->form->private_count : g->form->table_count);
     call.vectors[call.vector_count++] = index_of(g, node->operands[1], more);
@@ -332,7 +336,8 @@ static void store_lanes(struct shader_generator *g, const struct shader_node *no
     const uint32_t buffer = shader_resource_of(g, node->operands[0]);
     const bool is_part = node->op != SHADER_STORE;
     const uint32_t index = is_part ? node->operands[1] : index_of(g, node->operands[1], node->immediate);
-    struct shader_invocation call = {.which = node->op, .argument_count = 3, .vector_count = 4, .result = SHADER_NONE};
+    struct shader_invocation call = {
+        .which = node->op, .argument_count = 3, .vector_count = 4, .result = SHADER_NONE};
     call.arguments[0] = shader_bound_argument();
     call.arguments[1] =
         shader_site_argument(g, buffer, SHADER_NONE, node->immediate, node->op == SHADER_STORE8 ? 8 : 16);

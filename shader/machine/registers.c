@@ -20,8 +20,7 @@ static void walk_uses(struct shader_generator *g, bool writes)
 {
     for (uint32_t i = 0; i < g->form->code_count; i++) {
         uint32_t count;
-        const uint32_t *const operands =
-            shader_operands(g->form, &g->form->nodes[g->form->code[i]], &count);
+        const uint32_t *const operands = shader_operands(g->form, &g->form->nodes[g->form->code[i]], &count);
         for (uint32_t o = 0; o < count; o++) {
             count_use(g, operands[o], i, writes);
         }
@@ -135,7 +134,8 @@ void shader_registers_init(struct shader_generator *g)
     for (uint32_t value = 0; value < nodes; value++) {
         g->values[value].reg = -1;
         g->values[value].is_kept = g->plan.is_kept[value];
-        g->values[value].home = g->form->nodes[value].op == SHADER_CONSTANT ? SHADER_IN_POOL : SHADER_HOMELESS;
+        g->values[value].home =
+            g->form->nodes[value].op == SHADER_CONSTANT ? SHADER_IN_POOL : SHADER_HOMELESS;
     }
     for (int r = 0; r < REGISTERS; r++) {
         g->holds[r] = SHADER_NONE;
@@ -180,9 +180,9 @@ void shader_take_block(struct shader_generator *g, uint32_t value)
 {
     struct shader_machine_value *const v = &g->values[value];
     v->home = v->is_kept ? SHADER_IN_RECORD : SHADER_IN_FRAME;
-    v->offset = v->is_kept              ? shader_take_record(g, 4 * VECTOR)
+    v->offset = v->is_kept            ? shader_take_record(g, 4 * VECTOR)
                 : g->blocks.count > 0 ? g->blocks.offsets[--g->blocks.count]
-                                        : shader_take_frame(g, 4 * VECTOR);
+                                      : shader_take_frame(g, 4 * VECTOR);
 }
 
 static void free_value(struct shader_generator *g, uint32_t value)
@@ -466,7 +466,9 @@ void shader_loop_begin(struct shader_generator *g, struct shader_edge *edge, uin
     shader_flush(g, g->place);
     for (int r = 0; r < REGISTERS; r++) {
         const uint32_t value = g->holds[r];
-        edge->holds[r] = value != SHADER_NONE && next_use(g, value, 0) <= end && lives_at(g, value, end) ? value : SHADER_NONE;
+        edge->holds[r] = value != SHADER_NONE && next_use(g, value, 0) <= end && lives_at(g, value, end)
+                             ? value
+                             : SHADER_NONE;
     }
     edge->is_used = true;
     hold(g, edge->holds, g->place);

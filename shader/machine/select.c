@@ -102,8 +102,8 @@ static void put_not(struct shader_generator *g, uint32_t value)
 // Shifts take the lower 5 bits of what they shift by.
 static void put_shift(struct shader_generator *g, uint32_t value)
 {
-    const struct shader_node *const node = &g->form->nodes[value],
-                                    *const by = &g->form->nodes[node->operands[1]];
+    const struct shader_node *const node = &g->form->nodes[value], *const by =
+                                                                       &g->form->nodes[node->operands[1]];
     const bool is_left = node->op == SHADER_SHIFT_LEFT, is_signed = node->op == SHADER_SHIFT_RIGHT_SIGNED;
     if (by->op == SHADER_CONSTANT) {
         const unsigned instruction = is_left ? X86_VPSLLD_I : is_signed ? X86_VPSRAD_I : X86_VPSRLD_I;

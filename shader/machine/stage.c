@@ -23,7 +23,8 @@ int32_t shader_mask_offset(const struct shader_generator *g)
     return layouts[g->kind].mask;
 }
 
-static void put_immediate(struct shader_generator *g, unsigned instruction, struct x86_operand at, int32_t number)
+static void put_immediate(struct shader_generator *g, unsigned instruction, struct x86_operand at,
+                          int32_t number)
 {
     shader_encode(&g->code, instruction, 0, 0, at, number);
 }
@@ -75,7 +76,8 @@ void shader_clear_own(struct shader_generator *g)
         return;
     }
     const uint32_t again = shader_label_new(&g->code);
-    shader_put(g, X86_LEA | X86_WIDE, X86_RAX, 0, x86_at(g->plan.has_cuts ? X86_R15 : X86_RSP, (int32_t)g->own));
+    shader_put(g, X86_LEA | X86_WIDE, X86_RAX, 0,
+               x86_at(g->plan.has_cuts ? X86_R15 : X86_RSP, (int32_t)g->own));
     shader_encode_number(&g->code, X86_RCX, g->form->private_count);
     shader_put(g, X86_VXORPS, 0, 0, x86_reg(0));
     shader_label_place(&g->code, again);
@@ -218,7 +220,8 @@ static void generate_entry(struct shader_generator *g, uint32_t body)
 }
 
 bool shader_generate(struct shader_memory *memory, const struct shader_machine_stage *stage,
-                     enum rhw_shader_stage kind, int registers, bool has_records, struct shader_generated *made)
+                     enum rhw_shader_stage kind, int registers, bool has_records,
+                     struct shader_generated *made)
 {
     const uint32_t places = stage->form->code_count + 1;
     struct shader_generator g = {.memory = memory,

@@ -14,12 +14,12 @@ static void test_programs_leave_equal_bytes(void **state)
     static struct stage stage;
     int flaws = 0, used = 0;
     open_stage(&stage);
-    rhw_shader *const vertex = create_shader(random_vertex.name, random_vertex.words, random_vertex.size, RHW_SHADER_VERTEX);
+    rhw_shader *const vertex =
+        create_shader(random_vertex.name, random_vertex.words, random_vertex.size, RHW_SHADER_VERTEX);
     for (int i = 0; i < random_count; i++) {
         const struct random_program *const one = &random_programs[i];
-        rhw_shader *const shader =
-            create_shader(one->words.name, one->words.words, one->words.size,
-                          one->compute ? RHW_SHADER_COMPUTE : RHW_SHADER_FRAGMENT);
+        rhw_shader *const shader = create_shader(one->words.name, one->words.words, one->words.size,
+                                                 one->compute ? RHW_SHADER_COMPUTE : RHW_SHADER_FRAGMENT);
         const struct rhw_shader_program_def def = {.vertex = one->compute ? NULL : vertex,
                                                    .fragment = one->compute ? NULL : shader,
                                                    .compute = one->compute ? shader : NULL};

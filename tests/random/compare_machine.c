@@ -40,8 +40,7 @@ static rhw_shader *compile_number(const char *folder, int number, enum rhw_shade
 }
 
 // Return how often a program leaves other bytes.
-static int compare(struct stage *stage, const char *folder, int number, rhw_shader *vertex,
-                   int *left_out)
+static int compare(struct stage *stage, const char *folder, int number, rhw_shader *vertex, int *left_out)
 {
     static struct world worlds[2];
     rhw_shader *const compute = compile_number(folder, number, RHW_SHADER_COMPUTE);
@@ -56,7 +55,8 @@ static int compare(struct stage *stage, const char *folder, int number, rhw_shad
     assert_int_equal(rhw_shader_program_create(&def, &generated, NULL), RHW_OK);
     def.is_interpreted = true;
     assert_int_equal(rhw_shader_program_create(&def, &interpreted, NULL), RHW_OK);
-    *left_out += !rhw_shader_program_is_generated(generated, compute ? RHW_SHADER_COMPUTE : RHW_SHADER_FRAGMENT);
+    *left_out +=
+        !rhw_shader_program_is_generated(generated, compute ? RHW_SHADER_COMPUTE : RHW_SHADER_FRAGMENT);
     for (int kind = 0; kind < KINDS; kind++) {
         run_program(stage, compute ? NULL : rhw_shader_program_get(interpreted),
                     rhw_shader_program_get_compute(interpreted), interpreted, &worlds[0], kind);

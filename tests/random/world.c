@@ -106,8 +106,9 @@ static void draw(struct stage *stage, const struct rhw_program *program, const s
     memcpy(world->color, rig_read_float4(rig), sizeof world->color);
 }
 
-void run_program(struct stage *stage, const struct rhw_program *drawn, const struct rhw_compute_program *compute,
-                 const rhw_shader_program *linked, struct world *world, int kind)
+void run_program(struct stage *stage, const struct rhw_program *drawn,
+                 const struct rhw_compute_program *compute, const rhw_shader_program *linked,
+                 struct world *world, int kind)
 {
     struct rhw_binding set[6];
     fill_world(world, kind);

@@ -34,8 +34,9 @@ void open_stage(struct stage *stage);
 void fill_world(struct world *world, int kind);
 rhw_shader *create_shader(const char *name, const uint32_t *words, size_t size, enum rhw_shader_stage stage);
 // Run a program on a new world: `drawn` or `compute`, as it was linked or written otherwise.
-void run_program(struct stage *stage, const struct rhw_program *drawn, const struct rhw_compute_program *compute,
-                 const rhw_shader_program *linked, struct world *world, int kind);
+void run_program(struct stage *stage, const struct rhw_program *drawn,
+                 const struct rhw_compute_program *compute, const rhw_shader_program *linked,
+                 struct world *world, int kind);
 // Say where worlds differ. Return whether they do.
 bool worlds_differ(const char *name, const struct world *a, const struct world *b, const char *other);
 

@@ -141,12 +141,12 @@ static bool parse_isa(struct cli_bench_job *job, const char *text)
 static bool parse_peer(struct cli_bench_job *job, const char *text)
 {
     static const char *const names[] = {"llvmpipe", "softpipe", "interpreter", "machine", "emitted", "none"};
-    const int peer = cli_parse_name(text, names, 5);
+    const int peer = cli_parse_name(text, names, 6);
     if (peer < 0) {
         cli_error("--peer", "'%s' is not llvmpipe, softpipe, interpreter, machine, emitted or none", text);
         return false;
     }
-    job->peer = peer < 4 ? names[peer] : NULL;
+    job->peer = peer < 5 ? names[peer] : NULL;
     return true;
 }
 
