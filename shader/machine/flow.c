@@ -5,6 +5,8 @@
 // is jumps alone.
 #include "generator.h"
 
+#include <stdio.h>
+
 enum { WORTH_A_JUMP = 8, ROUNDS_A_QUESTION = 256 };
 
 static void generate_narrow(struct shader_generator *g, uint32_t begin, uint32_t end, uint32_t parent);
@@ -145,6 +147,8 @@ void shader_generate_node(struct shader_generator *g, uint32_t place)
         generate_leave(g, node);
     } else if (!shader_select_input(g, value) && !shader_select_memory(g, value) &&
                !shader_select_image(g, value) && !shader_select_arithmetic(g, value)) {
+        snprintf(g->memory->message, sizeof g->memory->message, "machine code does not have the operation %s",
+                 shader_op_name((enum shader_op)node->op));
         shader_memory_end(g->memory);
     }
     shader_end_place(g);

@@ -2,6 +2,7 @@
 // See machine.h.
 #include "machine.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -68,7 +69,9 @@ bool shader_machine_make(const struct shader_machine_stage *stage, enum rhw_shad
     }
     shader_memory_free(&memory);
     if (block->code) {
-        (void)shader_code_name(block->code, block->size, names[kind]);
+        char name[128];
+        snprintf(name, sizeof name, "rhw %s %.100s", names[kind], stage->form->entry->name);
+        (void)shader_code_name(block->code, block->size, name);
     }
     return block->code != NULL;
 }

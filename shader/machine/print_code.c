@@ -36,7 +36,7 @@ static const struct {
     [X86_MOVZX8] = {"movzx", 0, 'b'},     [X86_MOVZX16] = {"movzx", 0, 'w'},
     [X86_MOVSX8] = {"movsx", 0, 'b'},     [X86_MOVSX16] = {"movsx", 0, 'w'},
     [X86_MOVSXD] = {NULL, 0, 'd'},        [X86_SET] = {NULL, 0, 'b'},
-    [X86_LEA] = {NULL, 0, 'y'}, // of no size
+    [X86_LEA] = {NULL, 0, 'y'}, // its memory has no size
     [X86_CALL] = {NULL, 0, 'q'},          [X86_JMP] = {NULL, 0, 'q'},
     [X86_PUSH] = {NULL, 'q', 0},          [X86_POP] = {NULL, 'q', 0},
 };

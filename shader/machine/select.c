@@ -176,6 +176,7 @@ bool shader_select_arithmetic(struct shader_generator *g, uint32_t value)
         return true;
     }
     switch ((enum shader_op)g->form->nodes[value].op) {
+    case SHADER_BUFFER: // its value is the element, which lanes name themselves
     case SHADER_COPY: put_copy(g, value); return true;
     case SHADER_SELECT: put_select(g, value); return true;
     case SHADER_NOT: put_not(g, value); return true;

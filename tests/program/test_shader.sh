@@ -65,7 +65,9 @@ check "bytecode" grep -Eq "^ +[0-9]+  end *$" "$folder/log/out"
 succeed shader --print code double.comp
 check "machine code" grep -Eq "^ +[0-9a-f]+  c3 +ret$" "$folder/log/out"
 check "lines of the source beside it" grep -q "^; double.comp:10  sink" "$folder/log/out"
-RHW_JIT=0 succeed shader --print code double.comp
+export RHW_JIT=0
+succeed shader --print code double.comp
+unset RHW_JIT
 check "who executes it" grep -q "^; the interpreter executes this stage here$" "$folder/log/out"
 
 

@@ -6,7 +6,7 @@ set -eu
 
 # Functions of C11, and what compilers call by themselves.
 c11="abort calloc free malloc memchr memcmp memcpy memmove memset strchr strcmp strcspn strlen strncmp strpbrk strrchr strspn strstr"
-c11="$c11 fclose fgets fopen fprintf fputc fputs fwrite getenv snprintf longjmp qsort sscanf stderr vsnprintf sqrt sqrtf"
+c11="$c11 fclose fgets fopen fprintf fputc fputs fwrite getenv snprintf longjmp qsort sscanf stderr strtol vsnprintf sqrt sqrtf"
 glibc="_setjmp" # what its setjmp is
 compiler="_GLOBAL_OFFSET_TABLE_ bcmp __assert_fail __popcountdi2 __stack_chk_fail"
 

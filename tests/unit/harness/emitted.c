@@ -9,6 +9,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "unit.h"
+
 // What was written, and what of.
 struct row {
     uint64_t hashes[2]; // the vertex or compute shader, the fragment shader or 0
@@ -82,10 +84,32 @@ enum rhw_result emitted_shader_create(const void *words, size_t size, const stru
     return result;
 }
 
+// Where one program has machine code, all have: nothing that the tests use is left to the interpreter in silence.
+static void check_generated(const struct rhw_shader_program_def *def, const rhw_shader_program *program)
+{
+    static bool has_code;
+    const rhw_shader *const shaders[] = {def->vertex, def->fragment, def->compute};
+    const struct rhw_program *const drawn = rhw_shader_program_get(program);
+    for (int s = 0; s < RHW_SHADER_STAGE_COUNT; s++) {
+        const bool is_left_out = s == RHW_SHADER_FRAGMENT && !drawn->fragment[RHW_ISA_BASELINE];
+        if (!shaders[s] || is_left_out || def->is_interpreted) {
+            continue;
+        }
+        const bool is_generated = rhw_shader_program_is_generated(program, (enum rhw_shader_stage)s);
+        if (has_code && !is_generated) {
+            fail_msg("a program has no machine code of stage %d", s);
+        }
+        has_code = has_code || is_generated;
+    }
+}
+
 enum rhw_result emitted_program_create(const struct rhw_shader_program_def *def, rhw_shader_program **program,
                                        char *message)
 {
     const enum rhw_result result = rhw_shader_program_create(def, program, message);
+    if (result == RHW_OK) {
+        check_generated(def, *program);
+    }
     if (result != RHW_OK || !is_wanted()) {
         return result;
     }

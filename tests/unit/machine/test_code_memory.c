@@ -20,6 +20,7 @@
 #include <unistd.h>
 
 #include "machine/encoder.h"
+#include "rhw/spirv.h"
 #include "unit.h"
 
 // mov eax, NUMBER; ret
@@ -153,6 +154,75 @@ static void test_memory_is_given_back(void **state)
     assert_in_range(read_maps(NULL, permissions), 1, before + 4); // others may map, too
 }
 
+// Programs -------------------------------------------------------------------------------------------
+
+// Make a program of a compute shader that does nothing. Return it, or NULL.
+static rhw_shader_program *make_program(void)
+{
+    static const uint32_t words[] = {
+        0x07230203,
+        0x00010000,
+        0,
+        5,
+        0, // the header
+        2 << 16 | 17,
+        1, // OpCapability Shader
+        3 << 16 | 14,
+        0,
+        1, // OpMemoryModel Logical GLSL450
+        5 << 16 | 15,
+        5,
+        1,
+        0x6e69616d,
+        0, // OpEntryPoint GLCompute %1 "main"
+        6 << 16 | 16,
+        1,
+        17,
+        1,
+        1,
+        1, // OpExecutionMode %1 LocalSize 1 1 1
+        2 << 16 | 19,
+        2, // %2 = OpTypeVoid
+        3 << 16 | 33,
+        3,
+        2, // %3 = OpTypeFunction %2
+        5 << 16 | 54,
+        2,
+        1,
+        0,
+        3, // %1 = OpFunction %2 None %3
+        2 << 16 | 248,
+        4, // %4 = OpLabel
+        1 << 16 | 253,
+        1 << 16 | 56, // OpReturn, OpFunctionEnd
+    };
+    rhw_shader *shader = NULL;
+    rhw_shader_program *program = NULL;
+    const struct rhw_shader_def def = {.stage = RHW_SHADER_COMPUTE};
+    if (rhw_shader_create(words, sizeof words, &def, &shader, NULL) == RHW_OK) {
+        const struct rhw_shader_program_def linked = {.compute = shader};
+        (void)rhw_shader_program_create(&linked, &program, NULL);
+        rhw_shader_destroy(shader);
+    }
+    return program;
+}
+
+static void test_programs_give_their_code_back(void **state)
+{
+    (void)state;
+    skip_elsewhere();
+    char permissions[5];
+    rhw_shader_program_destroy(make_program());
+    const int before = read_maps(NULL, permissions);
+    for (int i = 0; i < 1000; i++) {
+        rhw_shader_program *const program = make_program();
+        assert_non_null(program);
+        assert_true(rhw_shader_program_is_generated(program, RHW_SHADER_COMPUTE));
+        rhw_shader_program_destroy(program);
+    }
+    assert_in_range(read_maps(NULL, permissions), 1, before + 4);
+}
+
 // Systems that refuse --------------------------------------------------------------------------------
 
 // Let a call fail where it asks for memory that is executed.
@@ -173,8 +243,22 @@ static void refuse_executable(unsigned number)
     }
 }
 
-// Return what a child that refuses calls tells.
-static int run_child(bool refuses_mapping, bool is_called)
+// Return 0 if code runs, 1 if the system refuses it, and 2 if it does something else.
+static int try_code(void)
+{
+    void *const code = map_number(7);
+    return !code ? 1 : shader_code_is_wanted() && call(code) != 7 ? 2 : 0;
+}
+
+// Return 0 if a program has code, 1 if the interpreter executes it, and 2 if there is no program.
+static int try_program(void)
+{
+    const rhw_shader_program *const program = make_program();
+    return !program ? 2 : rhw_shader_program_is_generated(program, RHW_SHADER_COMPUTE) ? 0 : 1;
+}
+
+// Return what a child tells for which the system refuses calls.
+static int run_child(bool refuses_mapping, int (*try)(void))
 {
     const pid_t child = fork();
     assert_true(child >= 0);
@@ -183,8 +267,7 @@ static int run_child(bool refuses_mapping, bool is_called)
         if (refuses_mapping) {
             refuse_executable(SYS_mmap);
         }
-        void *const code = map_number(7);
-        _exit(!code ? 1 : is_called && call(code) != 7 ? 2 : 0);
+        _exit(try());
     }
     int status;
     assert_int_equal(waitpid(child, &status, 0), child);
@@ -199,8 +282,9 @@ static int run_child(bool refuses_mapping, bool is_called)
 static void test_a_system_that_refuses(void **state)
 {
     (void)state;
-    assert_int_equal(run_child(true, false), 1);
-    assert_int_equal(run_child(false, shader_code_is_wanted()), 0); // a file without a name takes its place
+    assert_int_equal(run_child(true, try_code), 1);
+    assert_int_equal(run_child(false, try_code), 0); // a file without a name takes its place
+    assert_int_equal(run_child(true, try_program), 1);
 }
 
 // Environment ----------------------------------------------------------------------------------------
@@ -275,9 +359,9 @@ static void test_threads_make_code(void **state)
 
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_code_of_the_encoder_runs), cmocka_unit_test(test_code_is_never_writable),
-    cmocka_unit_test(test_memory_is_given_back),     cmocka_unit_test(test_a_system_that_refuses),
-    cmocka_unit_test(test_code_can_be_turned_off),   cmocka_unit_test(test_names_for_perf),
-    cmocka_unit_test(test_threads_make_code),
+    cmocka_unit_test(test_memory_is_given_back),     cmocka_unit_test(test_programs_give_their_code_back),
+    cmocka_unit_test(test_a_system_that_refuses),    cmocka_unit_test(test_code_can_be_turned_off),
+    cmocka_unit_test(test_names_for_perf),           cmocka_unit_test(test_threads_make_code),
 };
 
 const struct unit_tests test_code_memory = UNIT_TESTS(tests, NULL, NULL);
