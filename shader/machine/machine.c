@@ -42,7 +42,10 @@ shader_call_function *shader_machine_function(unsigned which)
 static int registers_to_use(void)
 {
     const char *const text = getenv("RHW_JIT");
-    const int asked = text ? atoi(text) : REGISTERS;
+    int asked = 0;
+    for (const char *c = text ? text : ""; *c >= '0' && *c <= '9' && asked < REGISTERS; c++) {
+        asked = 10 * asked + *c - '0';
+    }
     return asked >= FEWEST_REGISTERS && asked < REGISTERS ? asked : REGISTERS;
 }
 
