@@ -3,8 +3,6 @@
 // nothing.
 #include "submission.h"
 
-#include <string.h>
-
 // Return a submission with room for so much, in one block.
 static struct vulkan_submission *make_submission(VkDevice device, const VkSubmitInfo *info)
 {
@@ -36,7 +34,9 @@ static struct vulkan_submission *make_submission(VkDevice device, const VkSubmit
                                            has_value ? values->pSignalSemaphoreValues[i] : 0};
     }
     VkCommandBuffer *const buffers = (VkCommandBuffer *)(void *)(point + points);
-    memcpy(buffers, info->pCommandBuffers, info->commandBufferCount * sizeof *buffers);
+    for (uint32_t i = 0; i < info->commandBufferCount; i++) {
+        buffers[i] = info->pCommandBuffers[i];
+    }
     submission->wait_count = info->waitSemaphoreCount;
     submission->signal_count = info->signalSemaphoreCount;
     submission->buffer_count = info->commandBufferCount;
