@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # What cpack makes of a build on Debian: rhw, the program; rhw-view, its window; librhw with its ABI in the name, the shared
-# libraries librhw and librhw-shader, which are of one version; and librhw-dev, the static ones with headers, CMake and
+# libraries librhw and librhw-shader, which are of one version; librhw-vulkan, the Vulkan driver; and librhw-dev, the static ones with headers, CMake and
 # pkg-config packages. rhw-view needs rhw, and librhw-dev the shared libraries, of the same build. script/package builds
 # and calls it.
 # As Debian's own tools have it: DEBFULLNAME and DEBEMAIL of who builds them.
@@ -84,6 +84,17 @@ render writes, byte for byte, and need no graphics card.
 .
 This package has the window, which needs SDL2 and a display; rhw does not.")
 endif()
+if(TARGET rhw_vulkan)
+  list(APPEND CPACK_COMPONENTS_ALL vulkan)
+  set(CPACK_DEBIAN_VULKAN_PACKAGE_NAME librhw-vulkan)
+  set(CPACK_DEBIAN_VULKAN_PACKAGE_SECTION libs)
+  set(CPACK_DEBIAN_VULKAN_PACKAGE_SHLIBDEPS ON)
+  set(CPACK_DEBIAN_VULKAN_PACKAGE_RECOMMENDS libvulkan1)
+  set(CPACK_DEBIAN_VULKAN_DESCRIPTION "rhw draws and computes for programs of Vulkan 1.1 and WebGPU without a graphics
+card, a display or another driver, the same bytes on every machine.
+.
+This package has the driver, and registers it with the Vulkan loader.")
+endif()
 # What Debian has elsewhere than others do, and what only a Debian package has.
 set(CPACK_PRE_BUILD_SCRIPTS ${CMAKE_CURRENT_LIST_DIR}/debian_layout.cmake)
 set(CPACK_RHW_SOURCE ${PROJECT_SOURCE_DIR})
@@ -92,5 +103,5 @@ if(TARGET rhw_glslang AND EXISTS /usr/share/doc/glslang-dev/copyright AND EXISTS
   set(CPACK_RHW_PARTS "glslang-dev;spirv-tools")
 endif()
 set(CPACK_RHW_SHLIBS ${PROJECT_BINARY_DIR}/package/shlibs)
-set(CPACK_RHW_PACKAGES "library=${librhw};development=librhw-dev;program=rhw;view=rhw-view")
+set(CPACK_RHW_PACKAGES "library=${librhw};development=librhw-dev;program=rhw;view=rhw-view;vulkan=librhw-vulkan")
 include(CPack)

@@ -124,6 +124,14 @@ if [ -x "$usr/bin/rhw-view" ]; then
     check "rhw finds it" sh -c "'$usr/bin/rhw' view --help | grep -q '^Usage: rhw view'"
 fi
 
+if ls librhw-vulkan_*.deb >/dev/null 2>&1; then
+    says librhw-vulkan Section '^libs$'
+    says librhw-vulkan Depends '^libc6 [^,]*$'
+    has librhw-vulkan share/vulkan/icd.d/rhw_icd.json 'lib/.*/?rhw/librhw_vulkan.so'
+    icd=$usr/share/vulkan/icd.d
+    check "the loader finds the driver" test -e "$icd/$(sed -n 's|.*"library_path": "\(.*\)",|\1|p' "$icd/rhw_icd.json")"
+fi
+
 # A program of a user, by pkg-config.
 pkgconfig=$(dirname "$(find "$usr" -name rhw.pc)")
 sed -n '/^#include/,/^```/{/^```/!p}' "$root/docs/hello.md" >hello.c

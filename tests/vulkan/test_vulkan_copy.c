@@ -402,7 +402,7 @@ static void images_may_share_memory(void **state)
                                         .mipLevels = 1,
                                         .arrayLayers = 1,
                                         .samples = VK_SAMPLE_COUNT_1_BIT,
-                                        .usage = both};
+                                        .usage = both | VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT};
         VkMemoryRequirements needs;
         CHECK(vkCreateImage(rig.device, &info, NULL, &images[i]));
         vkGetImageMemoryRequirements(rig.device, images[i], &needs);
@@ -415,13 +415,39 @@ static void images_may_share_memory(void **state)
         RIG_KEEP(&rig, IMAGE, images[i]);
         CHECK(vkBindImageMemory(rig.device, images[i], memory, 0));
     }
-    const VkImageSubresourceRange all = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
-    const VkClearColorValue green = {.float32 = {0, 1, 0, 1}}, blue = {.float32 = {0, 0, 1, 1}};
-    const int order[3] = {0, 1, 0};
+    const VkImageViewCreateInfo view_info = {.sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO,
+                                             .image = images[0],
+                                             .viewType = VK_IMAGE_VIEW_TYPE_2D,
+                                             .format = VK_FORMAT_R8G8B8A8_UNORM,
+                                             .subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1}};
+    VkImageView view;
+    CHECK(vkCreateImageView(rig.device, &view_info, NULL, &view));
+    RIG_KEEP(&rig, IMAGE_VIEW, view);
+    const PFN_vkCmdBeginRenderingKHR begin =
+        (PFN_vkCmdBeginRenderingKHR)vkGetDeviceProcAddr(rig.device, "vkCmdBeginRenderingKHR");
+    const PFN_vkCmdEndRenderingKHR end =
+        (PFN_vkCmdEndRenderingKHR)vkGetDeviceProcAddr(rig.device, "vkCmdEndRenderingKHR");
+    const VkRenderingAttachmentInfo color = {.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO,
+                                             .imageView = view,
+                                             .imageLayout = VK_IMAGE_LAYOUT_GENERAL,
+                                             .loadOp = VK_ATTACHMENT_LOAD_OP_CLEAR,
+                                             .storeOp = VK_ATTACHMENT_STORE_OP_STORE,
+                                             .clearValue = {.color = {.float32 = {0, 1, 0, 1}}}};
+    const VkRenderingInfo clear = {.sType = VK_STRUCTURE_TYPE_RENDERING_INFO,
+                                   .renderArea = {.extent = {SIZE, SIZE}},
+                                   .layerCount = 1,
+                                   .colorAttachmentCount = 1,
+                                   .pColorAttachments = &color};
+    const VkClearColorValue blue = {.float32 = {0, 0, 1, 1}};
     for (int i = 0; i < 3; i++) {
-        settle(&rig, images[order[i]], VK_IMAGE_ASPECT_COLOR_BIT, VK_IMAGE_LAYOUT_UNDEFINED);
-        vkCmdClearColorImage(rig.commands, images[order[i]], VK_IMAGE_LAYOUT_GENERAL,
-                             order[i] == 0 ? &green : &blue, 1, &all);
+        settle(&rig, images[i % 2], VK_IMAGE_ASPECT_COLOR_BIT, VK_IMAGE_LAYOUT_UNDEFINED);
+        if (i % 2 == 0) {
+            begin(rig.commands, &clear);
+            end(rig.commands);
+        } else {
+            vkCmdClearColorImage(rig.commands, images[1], VK_IMAGE_LAYOUT_GENERAL, &blue, 1,
+                                 &view_info.subresourceRange);
+        }
     }
     settle_color(&rig, images[0]);
     const struct rig_buffer texels = rig_buffer(&rig, TEXELS * 4, NULL);

@@ -405,11 +405,27 @@ static void test_polygons(void **state)
     scene_model_free(model);
 }
 
+// What is no index ends a list, and a mesh without all of its indices is refused. assimp alone would read for ever.
+static void test_indices_that_are_none(void **state)
+{
+    (void)state;
+    static const char *const words[] = {"2-1e39", "2.5", "two", "-", "0x2"};
+    for (size_t i = 0; i < sizeof words / sizeof words[0]; i++) {
+        char text[8192];
+        make_document("", text);
+        char *const list = strstr(text, "<p>0 1 2</p>");
+        write_format("x.dae", "%.*s<p>0 1 %s%s", (int)(list - text), text, words[i],
+                     list + strlen("<p>0 1 2"));
+        expect_refused("x.dae", "Expected different index count in <p> element");
+    }
+}
+
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_package),
     cmocka_unit_test(test_packages_of_none),
     cmocka_unit_test(test_shared_entry),
     cmocka_unit_test(test_polygons),
+    cmocka_unit_test(test_indices_that_are_none),
     cmocka_unit_test(test_no_color),
     cmocka_unit_test(test_blanks),
     cmocka_unit_test(test_cameras),
