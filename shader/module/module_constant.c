@@ -26,8 +26,8 @@ static void read_number(struct shader_module *module, uint32_t word, const struc
     *scalar = shader_extend(type, module->words[word + 3]);
 }
 
-// Return whether a constant of one type may be a part of another. Naga (wgpu) gives vectors of unsigned integers parts that
-// are signed, which drivers take.
+// Return whether a constant of the type may be a part where another type is expected. Naga (of wgpu) gives vectors of
+// unsigned integers parts that are signed, which drivers take.
 static bool is_part(const struct shader_type *type, const struct shader_type *expected)
 {
     return type == expected ||
