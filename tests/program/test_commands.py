@@ -39,7 +39,6 @@ NOT_RUN = {
     r"script/isas": MINUTES,
     r"script/peer COMMAND": "fetches packages; program_bench runs it without a network",
     r"script/bench-vulkan.*": MINUTES,
-    r"VK_DRIVER_FILES=.* vulkaninfo --summary": "vulkan_info tells more of the driver",
     r"(script/peer )?script/vulkan-clients.*": "installs packages of the npm registry",
     r"script/growth": MINUTES,
     r"script/instructions( .*)?": MINUTES,
