@@ -26,7 +26,7 @@ static PyObject *compile(PyObject *module, PyObject *arguments)
     struct glsl_code code = {.words = NULL};
     bool is_good;
     Py_BEGIN_ALLOW_THREADS is_good =
-        glsl_compile((enum rhw_shader_stage)stage, text, (size_t)size, PyBytes_AS_STRING(name), &options,
+        glsl_compile((enum rhw_shader_stage)stage, text, (size_t)size, PyBytes_AsString(name), &options,
                      &code, message, sizeof message);
     Py_END_ALLOW_THREADS PyObject *const words =
         is_good ? PyBytes_FromStringAndSize((const char *)code.words, (Py_ssize_t)code.size) : NULL;

@@ -6,6 +6,8 @@
 // Masks of wide structure are arrays, lanes1, lanes2, …, with an element for each group, and alive is alive_in[].
 #include "c_emit.h"
 
+#include <string.h>
+
 enum { WORTH_A_JUMP = 8 }; // places that are left out
 
 static void write_narrow(struct shader_emitter *emitter, uint32_t begin, uint32_t end, uint32_t parent);
@@ -49,6 +51,9 @@ static void write_set(struct shader_emitter *emitter, const struct shader_node *
         return; // a binding that is named once serves everywhere
     }
     const char *const value = shader_c_argument(emitter, node->operands[1], is_float);
+    if (strcmp(name, value) == 0) {
+        return; // it is in the home already
+    }
     // Where lanes go one way, those that are not active never read the home again.
     if (emitter->divergence == 0 || (emitter->form->nodes[home].flags & SHADER_UNIFORM)) {
         shader_text_line(emitter->out, "%s = %s;", name, value);
