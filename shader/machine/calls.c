@@ -374,6 +374,14 @@ static void call_SAMPLE(const struct rhw_shader_frame *frame, const struct shade
     }
 }
 
+// Sample what all lanes name, at a level of detail that has no least.
+static void call_SAMPLE_ONE(const struct shader_found *one, const struct shader_request *r,
+                            rhw_float texel[4], uint32_t flags)
+{
+    const struct rhw_sample_request request = request_of(r, flags);
+    rhw_binding_sample(one->binding, &request, texel);
+}
+
 static void call_IMAGE_STORE(const struct rhw_shader_frame *frame, const struct shader_site *site,
                              const struct shader_found *one, struct shader_request *r)
 {
@@ -453,6 +461,7 @@ static shader_call_function *const functions[SHADER_CALLS] = {
     MORE(FIND_WORDS),
     MORE(FIND_SHARED),
     MORE(FIND_PAIR),
+    MORE(SAMPLE_ONE),
     MORE(GATHER),
     MORE(LOAD_WORDS),
     MORE(SHARE),

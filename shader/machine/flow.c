@@ -97,6 +97,12 @@ static void generate_set(struct shader_generator *g, const struct shader_node *n
     if (is_whole) {
         const struct x86_operand from = shader_anywhere(g, value);
         int reg = g->values[home].reg;
+        const bool is_last = g->values[value].end == g->place && value != home;
+        if (from.reg >= 0 && is_last && (reg < 0 || g->loop_depth == 0)) { // its register is the home's now
+            g->values[value].reg = -1;
+            shader_assign(g, home, from.reg);
+            return;
+        }
         if (reg < 0) {
             reg = shader_temporary(g);
             shader_assign(g, home, reg);

@@ -3,6 +3,8 @@
 // and a store there does nothing.
 #include "generator.h"
 
+enum { MAX_KNOWN_WORD = 1 << 28 }; // whose place in bytes an instruction holds
+
 // Bindings -------------------------------------------------------------------------------------------
 
 uint32_t shader_resource_of(const struct shader_generator *g, uint32_t value)
@@ -148,18 +150,24 @@ static void load_word(struct shader_generator *g, uint32_t value, struct x86_ope
 {
     const struct shader_node *const node = &g->form->nodes[value];
     uint32_t index = 0;
-    const bool is_known = put_index(g, node->operands[1], node->immediate, &index);
+    const bool is_known = put_index(g, node->operands[1], node->immediate, &index) && index < MAX_KNOWN_WORD;
     shader_end_operands(g);
     const int result = shader_result(g, value);
     const uint32_t end = shader_label_new(&g->code);
-    if (is_known) {
-        shader_encode_number(&g->code, X86_RAX, index);
-    }
     shader_put(g, X86_VXORPS, result, result, x86_reg(result));
-    shader_put(g, X86_CMP, X86_RAX, 0, count);
-    shader_encode_jump_if(&g->code, X86_ABOVE_EQUAL, end);
+    if (is_known) {
+        shader_encode(&g->code, X86_CMP_I, 0, 0, count, (int32_t)index);
+        shader_encode_jump_if(&g->code, X86_BELOW_EQUAL, end);
+    } else {
+        if (g->form->nodes[node->operands[1]].op == SHADER_CONSTANT) {
+            shader_encode_number(&g->code, X86_RAX, index);
+        }
+        shader_put(g, X86_CMP, X86_RAX, 0, count);
+        shader_encode_jump_if(&g->code, X86_ABOVE_EQUAL, end);
+    }
     shader_put(g, X86_MOV | X86_WIDE, X86_RCX, 0, words);
-    shader_put(g, X86_VBROADCASTSS, result, 0, x86_at_index(X86_RCX, X86_RAX, 2, 0));
+    shader_put(g, X86_VBROADCASTSS, result, 0,
+               is_known ? x86_at(X86_RCX, (int32_t)(4 * index)) : x86_at_index(X86_RCX, X86_RAX, 2, 0));
     shader_label_place(&g->code, end);
 }
 

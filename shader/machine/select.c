@@ -99,6 +99,17 @@ static void put_not(struct shader_generator *g, uint32_t value)
     shader_put(g, X86_VXORPS, result, a, shader_pool_splat(&g->code, UINT32_MAX));
 }
 
+// 1 / sqrt(a), as rhw_rsqrt has it.
+static void put_rsqrt(struct shader_generator *g, uint32_t value)
+{
+    const struct x86_operand a = shader_anywhere(g, operands_of(g, value)[0]);
+    const int root = shader_temporary(g), one = shader_temporary(g);
+    shader_put(g, X86_VSQRTPS, root, 0, a);
+    shader_put(g, X86_VBROADCASTSS, one, 0, shader_pool_scalar(&g->code, 0x3f800000));
+    shader_end_operands(g);
+    shader_put(g, X86_VDIVPS, shader_result(g, value), one, x86_reg(root));
+}
+
 // Shifts take the lower 5 bits of what they shift by.
 static void put_shift(struct shader_generator *g, uint32_t value)
 {
@@ -183,6 +194,7 @@ bool shader_select_arithmetic(struct shader_generator *g, uint32_t value)
     case SHADER_SHIFT_LEFT:
     case SHADER_SHIFT_RIGHT:
     case SHADER_SHIFT_RIGHT_SIGNED: put_shift(g, value); return true;
+    case SHADER_RSQRT: put_rsqrt(g, value); return true;
     case SHADER_ULESS: put_unsigned_less(g, value); return true;
     default: break;
     }
