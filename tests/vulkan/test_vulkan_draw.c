@@ -392,6 +392,51 @@ static void draws_may_come_from_buffers(void **unused)
     rig_close(&rig);
 }
 
+static void vertices_outside_of_their_buffer_are_0(void **unused)
+{
+    (void)unused;
+    // The first triangle covers the picture. Of the second one, two vertices lie behind the buffer; so do those that
+    // indices name which are not there.
+    static const struct vertex vertices[] = {{-1, -1, {255, 255, 255, 255}},
+                                             {3, -1, {255, 255, 255, 255}},
+                                             {-1, 3, {255, 255, 255, 255}},
+                                             {-1, -1, {1, 2, 3, 255}}};
+    static const uint32_t indices[] = {3, 4, 0xffffffff};
+    static const float identity[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+    struct rig rig;
+    struct picture picture;
+    struct picture_state state;
+    rig_open(&rig);
+    picture_init(&picture, &rig, false, VK_SAMPLE_COUNT_1_BIT);
+    const VkDescriptorSetLayoutBinding binding = {.descriptorType = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER,
+                                                  .descriptorCount = 1,
+                                                  .stageFlags = VK_SHADER_STAGE_VERTEX_BIT};
+    VkDescriptorSetLayout set_layout = rig_set_layout(&rig, &binding, 1);
+    picture_state(&state, &picture, rig_shader(&rig, place_vert, sizeof place_vert),
+                  rig_shader(&rig, shade_frag, sizeof shade_frag), rig_layout(&rig, &set_layout, 1, 0));
+    describe_vertices(&state);
+    VkPipeline pipeline = picture_pipeline(&picture, &state, picture.pass, 0);
+    const struct rig_buffer buffer = rig_buffer(&rig, sizeof vertices, vertices);
+    const struct rig_buffer index_buffer = rig_buffer(&rig, sizeof indices, indices);
+    const struct rig_buffer uniforms = rig_buffer(&rig, sizeof identity, identity);
+    VkDescriptorSet set = rig_set(&rig, set_layout);
+    rig_bind_buffer(&rig, set, 0, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, uniforms.buffer, 0, VK_WHOLE_SIZE);
+    picture_begin(&picture);
+    bind(&rig, pipeline);
+    vkCmdBindDescriptorSets(rig.commands, VK_PIPELINE_BIND_POINT_GRAPHICS, state.layout, 0, 1, &set, 0, NULL);
+    vkCmdBindVertexBuffers(rig.commands, 0, 1, &buffer.buffer, &(VkDeviceSize){0});
+    vkCmdBindIndexBuffer(rig.commands, index_buffer.buffer, 0, VK_INDEX_TYPE_UINT32);
+    vkCmdDraw(rig.commands, 6, 1, 0, 0);
+    vkCmdDraw(rig.commands, 3, 1, 0x7fffffff, 0);
+    vkCmdDrawIndexed(rig.commands, 3, 1, 0, 0, 0);
+    vkCmdDrawIndexed(rig.commands, 3, 1, 0, -100, 0);
+    picture_end(&picture);
+    for (int i = 0; i < PICTURE_SIZE; i++) {
+        assert_int_equal(picture_texel(&picture, i, i), 0xffffffff); // what is 0 twice has no area
+    }
+    rig_close(&rig);
+}
+
 static void what_a_vertex_shader_does_not_store_is_0(void **unused)
 {
     (void)unused;
@@ -420,6 +465,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(dynamic_state_is_that_of_the_last_command),
     cmocka_unit_test(samples_are_resolved),
     cmocka_unit_test(draws_may_come_from_buffers),
+    cmocka_unit_test(vertices_outside_of_their_buffer_are_0),
     cmocka_unit_test(what_a_vertex_shader_does_not_store_is_0),
 };
 

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "coord_frag.h"
 #include "quad_vert.h"
 #include "scale_comp.h"
 #include "shade_frag.h"
@@ -109,6 +110,32 @@ static void alpha_and_logic_reach_samples_and_bits(void **unused)
     picture_end(&picture);
     assert_int_equal(picture_texel(&picture, 10, 30), 0x808000ff); // (191 + 64) / 2, rounded to even
     assert_int_equal(picture_texel(&picture, 50, 30), 0xbfff00ff);
+    rig_close(&rig);
+}
+
+static void samples_are_shaded_one_by_one(void **unused)
+{
+    (void)unused;
+    struct rig rig;
+    struct picture picture;
+    struct picture_state state;
+    rig_open(&rig);
+    picture_init(&picture, &rig, false, VK_SAMPLE_COUNT_4_BIT);
+    VkPipelineLayout layout = rig_layout(&rig, NULL, 0, PUSH_SIZE);
+    picture_state(&state, &picture, rig_shader(&rig, quad_vert, sizeof quad_vert),
+                  rig_shader(&rig, coord_frag, sizeof coord_frag), layout);
+    VkPipeline once = picture_pipeline(&picture, &state, picture.pass, 0);
+    state.samples.sampleShadingEnable = VK_TRUE;
+    state.samples.minSampleShading = 1;
+    VkPipeline each = picture_pipeline(&picture, &state, picture.pass, 0);
+    picture_begin(&picture);
+    vkCmdBindPipeline(rig.commands, VK_PIPELINE_BIND_POINT_GRAPHICS, once);
+    draw_quad(&rig, layout, (const float[9]){-1, -1, 0, 1, 1, 1, 1, 1});
+    vkCmdBindPipeline(rig.commands, VK_PIPELINE_BIND_POINT_GRAPHICS, each);
+    draw_quad(&rig, layout, (const float[9]){0, -1, 1, 1, 1, 1, 1, 1});
+    picture_end(&picture);
+    assert_int_equal(picture_texel(&picture, 10, 30), 0xffffffff);
+    assert_int_equal(picture_texel(&picture, 50, 30), 0x80ffffff); // two of four lie right of the centre
     rig_close(&rig);
 }
 
@@ -243,6 +270,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(what_a_pipeline_was_made_of_may_go),
     cmocka_unit_test(a_module_that_is_no_shader_is_refused),
     cmocka_unit_test(alpha_and_logic_reach_samples_and_bits),
+    cmocka_unit_test(samples_are_shaded_one_by_one),
     cmocka_unit_test(allocations_that_fail_are_told),
     cmocka_unit_test(a_pipeline_cache_has_a_header),
 };

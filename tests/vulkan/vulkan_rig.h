@@ -30,6 +30,7 @@ struct rig {
     VkCommandBuffer commands;                 ///< is recorded from rig_open, and from rig_run, on
     struct rig_thing things[RIG_MOST_THINGS]; ///< destroyed in the opposite order
     int thing_count;
+    bool is_lost; ///< the device is lost on purpose
 };
 
 void rig_open(struct rig *rig);

@@ -108,6 +108,27 @@ void vulkan_descriptor_set_write(const struct vulkan_descriptor_write *write)
     }
 }
 
+static bool has_image(VkDescriptorType type)
+{
+    return type == VK_DESCRIPTOR_TYPE_SAMPLER || type == VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER ||
+           type == VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE || type == VK_DESCRIPTOR_TYPE_STORAGE_IMAGE ||
+           type == VK_DESCRIPTOR_TYPE_INPUT_ATTACHMENT;
+}
+
+// Of an image or a sampler only what the binding is made of is read: the queue's thread may be making the binding.
+static void copy_element(VkDescriptorSet from, uint64_t source, VkDescriptorSet to, uint64_t target)
+{
+    const struct vulkan_descriptor *const given = &from->descriptors[source];
+    struct vulkan_descriptor *const descriptor = &to->descriptors[target];
+    if (has_image(given->type)) {
+        const VkDescriptorImageInfo info = {.sampler = given->sampler, .imageView = given->view};
+        write_image(descriptor, &to->bindings[target], &info);
+    } else {
+        *descriptor = *given;
+        to->bindings[target] = from->bindings[source];
+    }
+}
+
 static void copy_elements(const VkCopyDescriptorSet *copy)
 {
     VkDescriptorSet from = copy->srcSet, to = copy->dstSet;
@@ -116,23 +137,11 @@ static void copy_elements(const VkCopyDescriptorSet *copy)
     for (uint32_t i = 0; source && target && i < copy->descriptorCount; i++) {
         const uint64_t s = (uint64_t)source->first + copy->srcArrayElement + i;
         const uint64_t t = (uint64_t)target->first + copy->dstArrayElement + i;
-        if (s >= from->layout->size || t >= to->layout->size) {
-            return;
+        if (s >= from->layout->size || t >= to->layout->size ||
+            from->descriptors[s].type != to->descriptors[t].type) {
+            return; // there is no such element
         }
-        struct vulkan_descriptor *const descriptor = &to->descriptors[t];
-        const struct vulkan_descriptor *const given = &from->descriptors[s];
-        if (descriptor->type != given->type) {
-            return;
-        }
-        VkSampler own = descriptor->sampler;
-        const bool keeps_sampler = descriptor->is_immutable;
-        *descriptor = *given;
-        to->bindings[t] = from->bindings[s];
-        descriptor->is_immutable = keeps_sampler;
-        if (keeps_sampler) {
-            descriptor->sampler = own;
-            descriptor->is_stale = true;
-        }
+        copy_element(from, s, to, t);
     }
 }
 

@@ -177,6 +177,25 @@ static bool run(VkQueue queue, const struct vulkan_submission *submission)
     return result == VK_SUCCESS;
 }
 
+// Take the first submission out of the queue. The lock is held.
+static void drop(VkQueue queue)
+{
+    struct vulkan_submission *const submission = queue->first;
+    queue->first = submission->next;
+    queue->last = queue->first ? queue->last : NULL;
+    pthread_cond_broadcast(&queue->changed);
+    vulkan_free(&queue->device->callbacks, submission);
+}
+
+// What a lost device was to signal may be gone already, so nothing is signalled any more. The lock is held.
+static void lose(VkQueue queue)
+{
+    queue->is_lost = true;
+    while (queue->first) {
+        drop(queue);
+    }
+}
+
 static void *work(void *user)
 {
     const VkQueue queue = user;
@@ -186,21 +205,19 @@ static void *work(void *user)
         if (!submission && queue->ends) {
             break;
         }
-        if (!submission || !(has_semaphores(submission) || queue->is_lost || queue->ends)) {
+        if (!submission || !(has_semaphores(submission) || queue->ends)) {
             pthread_cond_wait(&queue->changed, &queue->lock);
             continue;
         }
-        if (!queue->is_lost) {
-            pthread_mutex_unlock(&queue->lock);
-            const bool is_done = run(queue, submission);
-            pthread_mutex_lock(&queue->lock);
-            queue->is_lost = queue->is_lost || !is_done;
+        pthread_mutex_unlock(&queue->lock);
+        const bool is_done = run(queue, submission);
+        pthread_mutex_lock(&queue->lock);
+        if (is_done) {
+            signal_all(queue, submission);
+            drop(queue);
+        } else {
+            lose(queue);
         }
-        signal_all(queue, submission);
-        queue->first = submission->next;
-        queue->last = queue->first ? queue->last : NULL;
-        pthread_cond_broadcast(&queue->changed);
-        vulkan_free(&queue->device->callbacks, submission);
     }
     pthread_mutex_unlock(&queue->lock);
     return NULL;
@@ -220,19 +237,19 @@ static void tell_misuse(void *user, const char *message)
     vulkan_log("%s", message);
 }
 
-// Return a number that a variable of the environment has, or 0.
-static uint64_t number_of(const char *variable)
+// Return a number that a variable of the environment has, at least 0 and at most `most`, or 0 if it has none.
+static double number_of(const char *variable, double most)
 {
     const char *const text = getenv(variable);
-    return text ? strtoull(text, NULL, 10) : 0;
+    const double number = text ? strtod(text, NULL) : 0;
+    return number > 0 ? number < most ? number : most : 0;
 }
 
 static VkResult init_context(VkQueue queue)
 {
     struct rhw_context_def def = rhw_context_def_default();
-    const uint64_t threads = number_of("RHW_VULKAN_THREADS");
     const char *const isa = getenv("RHW_VULKAN_ISA");
-    def.threads = threads > RHW_MAX_THREADS ? RHW_MAX_THREADS : (int)threads;
+    def.threads = (int)number_of("RHW_VULKAN_THREADS", RHW_MAX_THREADS);
     for (int i = 0; isa && i < RHW_ISA_COUNT; i++) {
         if (strcmp(isa, rhw_isa_name((enum rhw_isa)i)) == 0) {
             def.isa_limit = rhw_isa_up_to((enum rhw_isa)i);
@@ -244,7 +261,7 @@ static VkResult init_context(VkQueue queue)
     if (rhw_context_create(&def, &queue->context) != RHW_OK) {
         return VK_ERROR_INITIALIZATION_FAILED;
     }
-    queue->timeout = number_of("RHW_VULKAN_TIMEOUT") * NANOSECONDS;
+    queue->timeout = (uint64_t)(number_of("RHW_VULKAN_TIMEOUT", 1e6) * NANOSECONDS);
     rhw_context_set_goes_on(queue->context, goes_on, queue);
     return VK_SUCCESS;
 }

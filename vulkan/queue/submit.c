@@ -3,8 +3,6 @@
 // nothing.
 #include "submission.h"
 
-#include <string.h>
-
 // Return a submission with room for so much, in one block.
 static struct vulkan_submission *make_submission(VkDevice device, const VkSubmitInfo *info)
 {
@@ -36,7 +34,9 @@ static struct vulkan_submission *make_submission(VkDevice device, const VkSubmit
                                            has_value ? values->pSignalSemaphoreValues[i] : 0};
     }
     VkCommandBuffer *const buffers = (VkCommandBuffer *)(void *)(point + points);
-    memcpy(buffers, info->pCommandBuffers, info->commandBufferCount * sizeof *buffers);
+    for (uint32_t i = 0; i < info->commandBufferCount; i++) {
+        buffers[i] = info->pCommandBuffers[i];
+    }
     submission->wait_count = info->waitSemaphoreCount;
     submission->signal_count = info->signalSemaphoreCount;
     submission->buffer_count = info->commandBufferCount;
@@ -44,6 +44,15 @@ static struct vulkan_submission *make_submission(VkDevice device, const VkSubmit
     submission->signals = signals;
     submission->buffers = buffers;
     return submission;
+}
+
+static void free_all(VkQueue queue, struct vulkan_submission *first)
+{
+    while (first) {
+        struct vulkan_submission *const next = first->next;
+        vulkan_free(&queue->device->callbacks, first);
+        first = next;
+    }
 }
 
 static void put(VkQueue queue, struct vulkan_submission *first, struct vulkan_submission *last)
@@ -65,11 +74,7 @@ VKAPI_ATTR VkResult VKAPI_CALL vkQueueSubmit(VkQueue queue, uint32_t count, cons
     for (uint32_t i = 0; i < count || (count == 0 && i == 0); i++) {
         last = make_submission(queue->device, count == 0 ? &nothing : &submits[i]);
         if (!last) {
-            while (first) {
-                struct vulkan_submission *const next = first->next;
-                vulkan_free(&queue->device->callbacks, first);
-                first = next;
-            }
+            free_all(queue, first);
             return VK_ERROR_OUT_OF_HOST_MEMORY;
         }
         *end = last;
@@ -78,9 +83,15 @@ VKAPI_ATTR VkResult VKAPI_CALL vkQueueSubmit(VkQueue queue, uint32_t count, cons
     last->fence = fence;
     pthread_mutex_lock(&queue->lock);
     const bool is_lost = queue->is_lost;
-    put(queue, first, last);
+    if (!is_lost) {
+        put(queue, first, last);
+    }
     pthread_mutex_unlock(&queue->lock);
-    return is_lost ? VK_ERROR_DEVICE_LOST : VK_SUCCESS;
+    if (is_lost) {
+        free_all(queue, first);
+        return VK_ERROR_DEVICE_LOST;
+    }
+    return VK_SUCCESS;
 }
 
 VKAPI_ATTR VkResult VKAPI_CALL vkQueueBindSparse(VkQueue queue, uint32_t count, const VkBindSparseInfo *infos,
