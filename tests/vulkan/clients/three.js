@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Draws a scene of three_scenes.js and tells the hash of its picture. With a number of frames it draws that many, each
+// Draws a scene of three_scenes.js or three_effects.js and tells the hash of its picture. With a number of frames it draws that many, each
 // read back, and tells the milliseconds of the median frame and of the first, from the start of the program.
 // usage: three.js SCENE [FOLDER] [FRAMES]
 import process from "node:process";
 import * as THREE from "three/webgpu";
 import { fail, finish, readTexture } from "./host.js";
 import { drawFrame, HEIGHT, openRenderer, WIDTH } from "./three_host.js";
-import * as scenes from "./three_scenes.js";
+import * as effects from "./three_effects.js";
+import * as basic from "./three_scenes.js";
 
+const scenes = { ...basic, ...effects };
 const [name, folder, frames = "0"] = process.argv.slice(2);
 if (!scenes[name]) {
     fail(`usage: three.js ${Object.keys(scenes).join("|")} [FOLDER] [FRAMES]`);
