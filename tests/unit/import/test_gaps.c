@@ -25,6 +25,8 @@ static void test_entities(void **state)
          "entities HATCH (DXF): not drawn"},
         {SECTION("ENTITIES", FACE("") "0\nVIEWPORT\n67\n1\n") SECTION("OBJECTS", "0\nDICTIONARY\n67\n1\n"),
          NULL},
+        {SECTION("ENTITIES", FACE("") "0\nCIRCLE\n39\n2\n10\n0\n20\n0\n30\n0\n40\n2\n"),
+         "the thickness of entities (DXF): drawn without"},
         {SECTION("ENTITIES", FACE("60\n1\n")), "hidden objects: drawn"},
         {SECTION("ENTITIES", FACE("67\n1\n")), "entities of sheets (DXF): drawn among those of the model"},
         {LAYER("70\n0\n62\n-7\n") SECTION("ENTITIES", FACE("8\nl\n")),
@@ -543,20 +545,48 @@ static void test_meshes_without_faces(void **state)
     scene_model_free(model);
 }
 
+// Values that cannot be as they are, and what is missing.
+static void test_warnings(void **state)
+{
+    (void)state;
+    static const char places[] = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+    static const char *const cases[][3] = {
+        {"a.obj", "vn 0 0 0\nf 1//1 2//1 3//1\n", "has normals of no length; they are made from its faces"},
+        {"a.obj", "usemtl z\nf 1 2 3\n", "material \"z\" is in no library"},
+        {"a.obj", "mtllib a.mtl\nusemtl m\nf 1 2 3\n", "material \"m\" is wholly transparent: drawn opaque"},
+        {"a.obj", "mtllib a.mtl\nusemtl m\nf 1 2 3\n",
+         "lacks the texture coordinates its material \"m\" reads"},
+    };
+    write_text("a.mtl", "newmtl m\nd 0\nmap_Kd a.ppm\n");
+    write_bytes("a.ppm", "P6\n1 1\n255\n\x10\x20\x30", 14);
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        write_format(cases[i][0], "%s%s", places, cases[i][1]);
+        struct scene_model *const model = load(cases[i][0]);
+        if (!has_warning(model, cases[i][2])) {
+            fail_msg("%s", cases[i][2]);
+        }
+        scene_model_free(model);
+    }
+    struct scene_model *model = load_text(
+        "a.gltf", "{\"asset\":{\"version\":\"2.0\"},\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0}],"
+                  "\"meshes\":[{\"primitives\":[{\"attributes\":{}}]}]}");
+    assert_true(has_warning(model, "meshes[0].primitives[0] has no positions: not drawn"));
+    scene_model_free(model);
+    static const char triangle[] = GLTF_TRIANGLE("},\"material\":0,\"extras\":{");
+    write_format("a.gltf", "{\"materials\":[{\"name\":\"m\",\"alphaMode\":\"mask\"}],%s", triangle + 1);
+    model = load("a.gltf");
+    assert_true(has_warning(model, "material \"m\" has an alphaMode that does not exist: drawn opaque"));
+    scene_model_free(model);
+}
+
 static const struct CMUnitTest tests[] = {
-    cmocka_unit_test(test_vertices),
-    cmocka_unit_test(test_materials),
-    cmocka_unit_test(test_texts),
-    cmocka_unit_test(test_entities),
-    cmocka_unit_test(test_drawings),
-    cmocka_unit_test(test_schema),
-    cmocka_unit_test(test_meshes_without_faces),
-    cmocka_unit_test(test_log),
-    cmocka_unit_test(test_textures),
-    cmocka_unit_test(test_collada),
-    cmocka_unit_test(test_words),
-    cmocka_unit_test(test_frames),
-    cmocka_unit_test(test_cameras_and_lights),
+    cmocka_unit_test(test_warnings),  cmocka_unit_test(test_vertices),
+    cmocka_unit_test(test_materials), cmocka_unit_test(test_texts),
+    cmocka_unit_test(test_entities),  cmocka_unit_test(test_drawings),
+    cmocka_unit_test(test_schema),    cmocka_unit_test(test_meshes_without_faces),
+    cmocka_unit_test(test_log),       cmocka_unit_test(test_textures),
+    cmocka_unit_test(test_collada),   cmocka_unit_test(test_words),
+    cmocka_unit_test(test_frames),    cmocka_unit_test(test_cameras_and_lights),
 };
 
 const struct unit_tests test_gaps = UNIT_TESTS(tests, make_directory, remove_directory);
