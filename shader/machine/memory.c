@@ -3,7 +3,8 @@
 // and a store there does nothing.
 #include "generator.h"
 
-enum { MAX_KNOWN_WORD = 1 << 28 }; // whose place in bytes an instruction holds
+// The number of a word whose place in bytes an instruction can hold.
+enum { MAX_KNOWN_WORD = 1 << 28 };
 
 // Bindings -------------------------------------------------------------------------------------------
 
