@@ -3,7 +3,7 @@
 // and a store there does nothing.
 #include "generator.h"
 
-enum { MAX_KNOWN_WORD = 1 << 28 }; // whose place in bytes an instruction holds
+enum { MAX_KNOWN_WORD = 1 << 28 }; // an instruction holds their places in bytes
 
 // Bindings -------------------------------------------------------------------------------------------
 
