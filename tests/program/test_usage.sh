@@ -215,7 +215,7 @@ refuse 2 "--threads: '65' is not a number of 1 to 64" bench --threads 65
 refuse 2 "--threads: '' is not a number of 1 to 64" bench --threads 1,,2
 refuse 2 "--threads: takes 8 numbers at most" bench --threads 1,2,3,4,5,6,7,8,9
 refuse 2 "--isa: 'mmx' is not baseline, avx2 or avx512" bench --isa mmx
-refuse 2 "--peer: 'd3d' is not llvmpipe, softpipe, interpreter, emitted or none" bench --peer d3d
+refuse 2 "--peer: 'd3d' is not llvmpipe, softpipe, interpreter, machine, emitted or none" bench --peer d3d
 refuse 2 "--peer-threads: '33' is not a number of 1 to 32" bench --peer-threads 33
 refuse 2 "--csv: standard output takes one of --json and --csv" bench --json --csv
 

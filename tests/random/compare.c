@@ -22,7 +22,8 @@ static void test_programs_leave_equal_bytes(void **state)
                                                  one->compute ? RHW_SHADER_COMPUTE : RHW_SHADER_FRAGMENT);
         const struct rhw_shader_program_def def = {.vertex = one->compute ? NULL : vertex,
                                                    .fragment = one->compute ? NULL : shader,
-                                                   .compute = one->compute ? shader : NULL};
+                                                   .compute = one->compute ? shader : NULL,
+                                                   .is_interpreted = true};
         rhw_shader_program *program;
         assert_int_equal(rhw_shader_program_create(&def, &program, NULL), RHW_OK);
         const struct rhw_program *const drawn = one->compute ? NULL : rhw_shader_program_get(program);

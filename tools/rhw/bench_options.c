@@ -34,8 +34,9 @@ static const struct cli_option options[] = {
      "well. Up to 8 numbers: each is timed, beside\nno peer, with what threads do and wait for in a frame"},
     {"isa", OPTION_ISA, "NAME", "baseline, avx2 or avx512; default: avx2 where the CPU has it"},
     {"peer", OPTION_PEER, "NAME",
-     "what to compare with: llvmpipe (the default), softpipe, interpreter,\nemitted or none; interpreter and "
-     "emitted are rhw with shaders of GLSL,\ntranslated as it draws, or to C where it was built so"},
+     "what to compare with: llvmpipe (the default), softpipe, interpreter,\nmachine, emitted or none; the "
+     "three are "
+     "rhw with shaders of GLSL:\ninterpreted, as machine code, or as C where it was built so"},
     {"peer-threads", OPTION_PEER_THREADS, "N", "threads of llvmpipe, 1..32; default: all cores"},
     {"json", OPTION_JSON, "[FILE]", "print the results as JSON instead of a table, or write it to FILE"},
     {"csv", OPTION_CSV, "[FILE]", "the same as comma-separated values"},

@@ -143,7 +143,7 @@ _rhw_bench() { # CURRENT PREVIOUS
     --scene | --scene=) _rhw_list "$1" $(rhw bench --list 2>/dev/null | cut -d ' ' -f 1) ;;
     --size | --size= | -s) _rhw_words "$1" 512 1280x720 1920x1080 3840x2160 ;;
     --isa | --isa=) _rhw_words "$1" baseline avx2 avx512 ;;
-    --peer | --peer=) _rhw_words "$1" llvmpipe softpipe interpreter emitted none ;;
+    --peer | --peer=) _rhw_words "$1" llvmpipe softpipe interpreter machine emitted none ;;
     --json=) _rhw_files "$1" ;;
     --csv=) _rhw_files "$1" ;;
     --save | --save=) _rhw_files "$1" ;;
