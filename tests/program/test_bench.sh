@@ -138,7 +138,7 @@ chmod +x stubs/apt-get
 RHW_PEER=$PWD/none PATH=$PWD/stubs:$PATH "$root/script/peer" echo ran >out 2>err
 check "peer: runs without a network" grep -qx ran out
 check "peer: says so" test "$(grep -c '^script/peer: no Mesa from .*; going on with the system' err)" = 1 -a "$(wc -l <err)" = 1
-touch peer/root/usr/lib/libEGL_mesa.so.0 peer/root/usr/share/50_mesa.json
+touch peer/root/usr/lib/libEGL_mesa.so.0 peer/root/usr/lib/libvulkan_lvp.so peer/root/usr/share/50_mesa.json
 echo 99.1 >peer/version
 RHW_PEER=$PWD/peer "$root/script/peer" sh -c 'echo "$LD_LIBRARY_PATH $__EGL_VENDOR_LIBRARY_FILENAMES"' >out 2>err
 check "peer: names the version" grep -q '^script/peer: Mesa 99.1 from ' err

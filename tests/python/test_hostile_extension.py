@@ -116,7 +116,7 @@ def calls():
 
     def recorded(call):
         def within(*arguments):
-            made = _rhw.Pass(context, (4, 3), 1, ((target, False, (0, 0, 0, 0), False),), True, None, False, 1.0)
+            made = _rhw.Pass(context, (4, 3), 1, ((target, False, (0, 0, 0, 0), False),), True, None, False, 1.0, True)
             try:
                 return call(made, *arguments)
             finally:
@@ -148,7 +148,7 @@ def calls():
         "panorama": (_rhw.panorama, (np.ones((2, 4, 4), np.float32),)),
         "panorama_read": (_rhw.panorama_read, (b"/nowhere/x.hdr",)),
         "panorama_texels": (_rhw.panorama_texels, (_rhw.panorama(np.ones((2, 4, 4), np.float32)),)),
-        "Pass": (begun, (context, (4, 3), 1, ((target, False, (0, 0, 0, 0), False),), True, None, False, 1.0)),
+        "Pass": (begun, (context, (4, 3), 1, ((target, False, (0, 0, 0, 0), False),), True, None, False, 1.0, True)),
         "Pass.draw": (recorded(lambda made, *arguments: made.draw(*arguments)), drawing),
         **programs,
         "Pass.viewport": (recorded(lambda made, *arguments: made.viewport(*arguments)), (0.0, 0.0, 2.0, 2.0)),
@@ -265,7 +265,7 @@ def test_a_pass_that_ends_while_a_draw_is_read(end):
             return np.zeros(45, np.float32).__array_interface__
 
     for place in (3, 6, 7):
-        made = _rhw.Pass(context, (4, 3), 1, ((texture, False, (0, 0, 0, 0), False),), False, None, False, 1.0)
+        made = _rhw.Pass(context, (4, 3), 1, ((texture, False, (0, 0, 0, 0), False),), False, None, False, 1.0, False)
         arguments = [pipeline, (_rhw.buffer(context, 36),), None, 3, None, None, np.zeros(45, np.float32), 1, 1]
         arguments[place] = Ending(made)
         with pytest.raises(ValueError, match="^the pass has ended$"):
@@ -278,7 +278,7 @@ def test_a_pass_that_ends_while_a_draw_of_a_program_is_read(place):
     context = rhw.Context(threads=1)
     program = _rhw.Program(_rhw.compile(0, TEXTS[0], b"text", False)[0], None, None, ())
     pipeline = _rhw.program_pipeline(context, program, 0, 0, False, 0, True, False, ())
-    made = _rhw.Pass(context, (4, 3), 1, (), True, None, False, 1.0)
+    made = _rhw.Pass(context, (4, 3), 1, (), True, None, False, 1.0, True)
 
     class Ending:
         def __index__(self):
