@@ -198,8 +198,7 @@ static void write_fragment_output(struct shader_emitter *emitter, uint32_t slot,
 
 uint32_t shader_c_resource(const struct shader_emitter *emitter, uint32_t value)
 {
-    const struct shader_node *const node = &emitter->form->nodes[value];
-    return node->op == SHADER_HOME && emitter->plan.is_hoisted[node->operands[0]] ? node->operands[0] : value;
+    return shader_is_resource_home(&emitter->plan, value) ? emitter->form->nodes[value].operands[0] : value;
 }
 
 bool shader_c_is_one_binding(const struct shader_emitter *emitter, uint32_t buffer)
@@ -394,6 +393,21 @@ static void write_own_store(struct shader_emitter *emitter, const struct shader_
                      shader_c_argument(emitter, node->operands[2], false), (unsigned)emitter->mask);
 }
 
+// Begin to read bindings. What is the same in all lanes is read for all of them, as those that are not active are looked
+// at, too.
+static const char *begin_reading(struct shader_emitter *emitter, const struct shader_node *node,
+                                 uint32_t buffer, const char **lanes)
+{
+    const uint32_t active = emitter->mask;
+    if (node->flags & SHADER_UNIFORM) {
+        emitter->mask = shader_c_new_mask(emitter);
+        shader_text_line(emitter->out, "const rhw_int m%u = rhw_splat_int(-1);", (unsigned)emitter->mask);
+    }
+    const char *const binding = shader_c_begin_bindings(emitter, buffer, SHADER_NONE, lanes);
+    emitter->mask = active;
+    return binding;
+}
+
 static void write_load(struct shader_emitter *emitter, uint32_t value)
 {
     struct shader_memory *const memory = emitter->memory;
@@ -421,7 +435,7 @@ static void write_load(struct shader_emitter *emitter, uint32_t value)
     } else {
         const char *lanes;
         shader_text_line(emitter->out, "rhw_int %s = rhw_splat_int(0);", name);
-        const char *const binding = shader_c_begin_bindings(emitter, buffer, SHADER_NONE, &lanes);
+        const char *const binding = begin_reading(emitter, node, buffer, &lanes);
         shader_text_line(emitter->out, "%s |= rhw_spirv_load(rhw_spirv_words_of(%s), %s, %s);", name, binding,
                          index, lanes);
         shader_c_end_bindings(emitter, buffer, SHADER_NONE);
@@ -467,7 +481,8 @@ static void write_store(struct shader_emitter *emitter, const struct shader_node
 
 static void write_length(struct shader_emitter *emitter, uint32_t value)
 {
-    const uint32_t buffer = shader_c_resource(emitter, emitter->form->nodes[value].operands[0]);
+    const struct shader_node *const node = &emitter->form->nodes[value];
+    const uint32_t buffer = shader_c_resource(emitter, node->operands[0]);
     if (shader_c_is_one_binding(emitter, buffer)) {
         shader_c_define(
             emitter, value,
@@ -477,7 +492,7 @@ static void write_length(struct shader_emitter *emitter, uint32_t value)
     const char *const name = shader_format(emitter->memory, "bytes%u", (unsigned)value);
     const char *lanes;
     shader_text_line(emitter->out, "rhw_int %s = rhw_splat_int(0);", name);
-    const char *const binding = shader_c_begin_bindings(emitter, buffer, SHADER_NONE, &lanes);
+    const char *const binding = begin_reading(emitter, node, buffer, &lanes);
     shader_text_line(emitter->out, "%s |= rhw_splat_int(rhw_spirv_bytes(rhw_spirv_words_of(%s))) & %s;", name,
                      binding, lanes);
     shader_c_end_bindings(emitter, buffer, SHADER_NONE);

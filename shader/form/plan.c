@@ -224,6 +224,16 @@ static void find_kept(struct shader_memory *memory, struct shader_plan *plan)
     place_homes(memory, plan);
 }
 
+bool shader_is_resource_home(const struct shader_plan *plan, uint32_t value)
+{
+    const struct shader_node *const node = &plan->form->nodes[value];
+    if (node->op != SHADER_HOME || !plan->is_hoisted[node->operands[0]]) {
+        return false;
+    }
+    const uint16_t op = plan->form->nodes[node->operands[0]].op;
+    return op == SHADER_BUFFER || op == SHADER_PUSH || op == SHADER_WORKGROUP;
+}
+
 // What is computed once ------------------------------------------------------------------------------
 
 // Nobody writes the memory while the shader runs, as far as it can tell.

@@ -196,10 +196,17 @@ static bool next_binding(struct named *named)
     return true;
 }
 
+// What is the same in all lanes is read for all of them, as those that are not active are looked at, too.
+static rhw_int lanes_to_read(const struct shader_site *site, rhw_int mask)
+{
+    return site->flags & SHADER_UNIFORM ? rhw_splat_int(-1) : mask;
+}
+
 static rhw_int call_LOAD(const struct rhw_shader_frame *frame, const struct shader_site *site,
                          const struct shader_found *one, rhw_int element, rhw_int index, rhw_int mask)
 {
     rhw_int value = rhw_splat_int(0);
+    mask = lanes_to_read(site, mask);
     for (struct named n = begin_named(frame, site, one, element, mask); next_binding(&n);) {
         value |= rhw_spirv_load(rhw_spirv_words_of(n.binding), index, n.lanes);
     }
@@ -245,6 +252,7 @@ static rhw_int call_LENGTH(const struct rhw_shader_frame *frame, const struct sh
                            const struct shader_found *one, rhw_int element, rhw_int mask)
 {
     rhw_int bytes = rhw_splat_int(0);
+    mask = lanes_to_read(site, mask);
     for (struct named n = begin_named(frame, site, one, element, mask); next_binding(&n);) {
         bytes |= rhw_splat_int(rhw_spirv_bytes(rhw_spirv_words_of(n.binding))) & n.lanes;
     }

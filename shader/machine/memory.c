@@ -10,8 +10,7 @@ enum { MAX_KNOWN_WORD = 1 << 28 };
 
 uint32_t shader_resource_of(const struct shader_generator *g, uint32_t value)
 {
-    const struct shader_node *const node = &g->form->nodes[value];
-    return node->op == SHADER_HOME && g->plan.is_hoisted[node->operands[0]] ? node->operands[0] : value;
+    return shader_is_resource_home(&g->plan, value) ? g->form->nodes[value].operands[0] : value;
 }
 
 bool shader_is_one(const struct shader_generator *g, uint32_t buffer)
@@ -309,7 +308,7 @@ static void load_lanes(struct shader_generator *g, uint32_t value, uint32_t buff
         call.which = SHADER_LOAD;
         call.argument_count = 3;
         call.arguments[0] = shader_bound_argument();
-        call.arguments[1] = shader_site_argument(g, buffer, SHADER_NONE, 0, 0);
+        call.arguments[1] = shader_site_argument(g, buffer, SHADER_NONE, node->flags & SHADER_UNIFORM, 0);
         call.arguments[2] = shader_found_argument(g, buffer);
         call.vector_count = 3;
         call.vectors[0] = shader_element_of(g, buffer);
@@ -376,12 +375,14 @@ static void store_lanes(struct shader_generator *g, const struct shader_node *no
 
 static void length(struct shader_generator *g, uint32_t value)
 {
-    const uint32_t buffer = shader_resource_of(g, g->form->nodes[value].operands[0]);
+    const struct shader_node *const node = &g->form->nodes[value];
+    const uint32_t buffer = shader_resource_of(g, node->operands[0]);
     if (!shader_is_one(g, buffer)) {
         const struct shader_invocation call = {
             .which = SHADER_LENGTH,
             .argument_count = 3,
-            .arguments = {shader_bound_argument(), shader_site_argument(g, buffer, SHADER_NONE, 0, 0),
+            .arguments = {shader_bound_argument(),
+                          shader_site_argument(g, buffer, SHADER_NONE, node->flags & SHADER_UNIFORM, 0),
                           shader_found_argument(g, buffer)},
             .vector_count = 2,
             .vectors = {shader_element_of(g, buffer), g->mask},
@@ -433,7 +434,6 @@ static void atomic(struct shader_generator *g, uint32_t value)
 bool shader_select_memory(struct shader_generator *g, uint32_t value)
 {
     const struct shader_node *const node = &g->form->nodes[value];
-    const uint16_t from = g->form->nodes[node->operands[0]].op;
     switch ((enum shader_op)node->op) {
     case SHADER_BUFFER:
         if (!g->plan.is_hoisted[value]) {
@@ -445,7 +445,7 @@ bool shader_select_memory(struct shader_generator *g, uint32_t value)
     case SHADER_WORKGROUP: find_shared(g, value); return true;
     case SHADER_LOAD: load(g, value); return true;
     case SHADER_STORE:
-        if (from == SHADER_PRIVATE) {
+        if (g->form->nodes[node->operands[0]].op == SHADER_PRIVATE) {
             store_own(g, node);
         } else {
             store_lanes(g, node);

@@ -3,7 +3,7 @@
 // begins behind its code, because only then it is known how much of the stack it takes.
 #include "generator.h"
 
-enum { SAVED = 5, WORD = 8, PAGE = 4096, MAX_STACK = 160 << 10 };
+enum { SAVED = 5, WORD = 8, PAGE = 4096 - 64, MAX_STACK = 160 << 10 };
 
 static const int saved[SAVED] = {X86_RBX, X86_R12, X86_R13, X86_R14, X86_R15};
 
@@ -199,10 +199,12 @@ static void generate_entry(struct shader_generator *g, uint32_t body)
         shader_encode(&g->code, X86_PUSH, saved[i], 0, x86_reg(0), 0);
     }
     const int32_t size = (int32_t)(g->frame_size + g->stage->batch * g->record_size);
-    for (int32_t page = PAGE; page < size; page += PAGE) { // none is stepped over, as one may guard the stack
-        put_immediate(g, X86_MOV_I, x86_at(X86_RSP, -page), 0);
+    int32_t left = size;
+    for (; left > PAGE; left -= PAGE) { // no page is stepped over, as one may guard the stack
+        put_immediate(g, X86_SUB_I | X86_WIDE, x86_reg(X86_RSP), PAGE);
+        put_immediate(g, X86_MOV_I, x86_at(X86_RSP, 0), 0);
     }
-    put_immediate(g, X86_SUB_I | X86_WIDE, x86_reg(X86_RSP), size);
+    put_immediate(g, X86_SUB_I | X86_WIDE, x86_reg(X86_RSP), left);
     put_immediate(g, X86_AND_I | X86_WIDE, x86_reg(X86_RSP), -VECTOR);
     put_pointer(g, X86_RAX, x86_at(X86_RDI, (int32_t)bound));
     store_pointer(g, X86_RAX, SHADER_FRAME(bound));

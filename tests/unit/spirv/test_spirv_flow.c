@@ -4,6 +4,9 @@
 #include "spirv_run.h"
 
 #include "discards_frag.h"
+#include "alike_comp.h"
+#include "alike_comp_small.h"
+#include "alike_frag.h"
 #include "endless_work_comp.h"
 #include "endless_frag.h"
 #include "endless_vert.h"
@@ -169,6 +172,69 @@ static void test_lanes_go_where_their_conditions_say(void **state)
     rhw_shader_program_destroy(program);
 }
 
+static void check_alike(const uint32_t *words, size_t size)
+{
+    int32_t first[] = {1, 10, 20}, second[] = {2, 30, 40, 50}, sink[8];
+    const struct rhw_shader_def def = {.stage = RHW_SHADER_COMPUTE};
+    rhw_shader *shader;
+    assert_int_equal(rhw_shader_create(words, size, &def, &shader, NULL), RHW_OK);
+    rhw_shader_program *const program = spirv_link(NULL, NULL, shader);
+    const struct rhw_binding set[3] = {spirv_memory(first, sizeof first),
+                                       spirv_memory(second, sizeof second),
+                                       spirv_memory(sink, sizeof sink)};
+    const struct push push = {7, 3};
+    const struct rhw_shader_frame frame = {
+        .sets = {set}, .push_constants = &push, .push_size = sizeof push};
+    struct rig rig;
+    rig_open(&rig, 4, 4);
+    assert_int_equal(spirv_dispatch(&rig, program, &frame, 1), RHW_OK);
+    for (int i = 0; i < 8; i++) {
+        assert_int_equal(sink[i], i < 4 ? 21 : 21 + 10 * 3 + 40 * 4);
+    }
+    rig_close(&rig);
+    rhw_shader_program_destroy(program);
+}
+
+// Half of the pixels are covered, so that the first lanes of many groups are not active.
+static void test_covered_lanes_share_what_all_have_alike(void **state)
+{
+    (void)state;
+    int32_t first[] = {1, 10, 20}, second[] = {2, 30, 40, 50};
+    rhw_shader_program *const program = spirv_link(SPIRV_CREATE(plain_vert, RHW_SHADER_VERTEX),
+                                                   SPIRV_CREATE(alike_frag, RHW_SHADER_FRAGMENT), NULL);
+    const struct rig_vertex triangle[3] = {{{1, -1, 0, 1}, {0}}, {{1, 1, 0, 1}, {0}}, {{-1, 1, 0, 1}, {0}}};
+    const struct rhw_binding set[2] = {spirv_memory(first, sizeof first),
+                                       spirv_memory(second, sizeof second)};
+    const float scale = 1;
+    const struct rhw_shader_frame frame = {
+        .sets = {set}, .push_constants = &scale, .push_size = sizeof scale};
+    struct rig rig;
+    rig_open(&rig, 32, 32);
+    rig.pipeline.program = *rhw_shader_program_get(program);
+    rig_begin(&rig);
+    rig_use_pipeline(&rig);
+    rig_use_vertices(&rig, 0, triangle, sizeof triangle);
+    rhw_pass_set_uniforms(rig.context, rig.recording, &frame, sizeof frame);
+    rhw_pass_draw(rig.context, rig.recording, 0, 3, 0, 1);
+    rig_end(&rig);
+    int covered = 0;
+    for (int i = 0; i < 32 * 32; i++) {
+        const float *const color = rig_read_float4(&rig)[i];
+        covered += color[3] == 1.0f;
+        assert_true(color[3] != 1.0f || color[0] == 10 * 3 + 40 * 4);
+    }
+    assert_in_range(covered, 400, 600);
+    rig_close(&rig);
+    rhw_shader_program_destroy(program);
+}
+
+static void test_lanes_share_what_all_have_alike(void **state)
+{
+    (void)state;
+    check_alike(alike_comp, sizeof alike_comp);
+    check_alike(alike_comp_small, sizeof alike_comp_small);
+}
+
 static void test_discarded_lanes_do_no_more(void **state)
 {
     (void)state;
@@ -241,6 +307,8 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_fragments_without_an_end_are_given_up),
     cmocka_unit_test(test_vertices_without_an_end_are_given_up),
     cmocka_unit_test(test_lanes_go_where_their_conditions_say),
+    cmocka_unit_test(test_lanes_share_what_all_have_alike),
+    cmocka_unit_test(test_covered_lanes_share_what_all_have_alike),
     cmocka_unit_test(test_discarded_lanes_do_no_more),
     cmocka_unit_test(test_all_lanes_may_leave_at_once),
 };
