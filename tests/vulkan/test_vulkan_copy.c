@@ -97,6 +97,11 @@ static void buffers_are_copied_filled_and_updated(void **state)
     fill_bytes(bytes, sizeof bytes, 1);
     const struct rig_buffer from = rig_buffer(&rig, sizeof bytes, bytes);
     const struct rig_buffer to = rig_buffer(&rig, sizeof bytes, NULL);
+    const VkBufferCreateInfo endless = {.sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO,
+                                        .size = UINT64_MAX,
+                                        .usage = VK_BUFFER_USAGE_TRANSFER_DST_BIT};
+    VkBuffer none;
+    assert_int_equal(vkCreateBuffer(rig.device, &endless, NULL, &none), VK_ERROR_OUT_OF_DEVICE_MEMORY);
     const VkBufferCopy regions[2] = {{3, 10, 50}, {100, 96, 17}};
     vkCmdCopyBuffer(rig.commands, from.buffer, to.buffer, 2, regions);
     vkCmdUpdateBuffer(rig.commands, to.buffer, 128, 32, bytes + 200);

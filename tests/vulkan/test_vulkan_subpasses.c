@@ -252,15 +252,28 @@ static void every_view_is_drawn_with_its_number(void **unused)
     picture_state(&state, &picture, rig_shader(&rig, views_vert, sizeof views_vert),
                   rig_shader(&rig, shade_frag, sizeof shade_frag), rig_layout(&rig, NULL, 0, 0));
     VkPipeline pipeline = picture_pipeline(&picture, &state, picture.pass, 0);
+    const VkQueryPoolCreateInfo queries = {.sType = VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO,
+                                           .queryType = VK_QUERY_TYPE_OCCLUSION,
+                                           .queryCount = 2};
+    VkQueryPool pool;
+    CHECK(vkCreateQueryPool(rig.device, &queries, NULL, &pool));
+    vkCmdResetQueryPool(rig.commands, pool, 0, 2);
     picture_begin(&picture);
     vkCmdBindPipeline(rig.commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline);
+    vkCmdBeginQuery(rig.commands, pool, 0, VK_QUERY_CONTROL_PRECISE_BIT);
     vkCmdDraw(rig.commands, 3, 1, 0, 0);
+    vkCmdEndQuery(rig.commands, pool, 0);
     picture.color = image;
     picture_end(&picture);
     const int layer = PICTURE_SIZE; // rows
     assert_int_equal(picture_texel(&picture, 30, 30), 0x000000ff);
     assert_int_equal(picture_texel(&picture, 30, layer + 30), 0);
     assert_int_equal(picture_texel(&picture, 30, 2 * layer + 30), 0x00ff00ff);
+    uint64_t counts[2]; // of views 0 and 2, in queries that follow each other
+    CHECK(vkGetQueryPoolResults(rig.device, pool, 0, 2, sizeof counts, counts, sizeof counts[0],
+                                VK_QUERY_RESULT_64_BIT));
+    assert_true(counts[0] > 0 && counts[1] == counts[0]);
+    vkDestroyQueryPool(rig.device, pool, NULL);
     rig_close(&rig);
 }
 

@@ -34,7 +34,7 @@ VKAPI_ATTR void VKAPI_CALL vkCmdPipelineBarrier(VkCommandBuffer buffer, VkPipeli
     (void)buffer_count;
     (void)buffers;
     for (uint32_t i = 0; i < image_count; i++) {
-        if (images[i].oldLayout == VK_IMAGE_LAYOUT_UNDEFINED && images[i].image->memory->has_aliases) {
+        if (images[i].oldLayout == VK_IMAGE_LAYOUT_UNDEFINED) {
             struct forget *const command = vulkan_record(buffer, sizeof *command, replay_forget);
             if (command) {
                 command->image = images[i].image;

@@ -8,7 +8,7 @@ struct dispatch {
     uint32_t base[3], counts[3];
 };
 
-static void dispatch(struct vulkan_replay *replay, const uint32_t base[3], const uint32_t counts[3])
+static void dispatch_bound(struct vulkan_replay *replay, const uint32_t base[3], const uint32_t counts[3])
 {
     const struct vulkan_bound_point *const point = &replay->bound.compute;
     struct rhw_shader_frame frame = {.samples = 0};
@@ -23,6 +23,14 @@ static void dispatch(struct vulkan_replay *replay, const uint32_t base[3], const
         .base = {base[0], base[1], base[2]}};
     (void)vulkan_replay_check(replay, rhw_dispatch(replay->context, &def, counts[0], counts[1], counts[2]),
                               "a dispatch");
+}
+
+static void dispatch(struct vulkan_replay *replay, const uint32_t base[3], const uint32_t counts[3])
+{
+    dispatch_bound(replay, base, counts);
+    if (!replay->pass.is_open) {
+        vulkan_replay_release(replay);
+    }
 }
 
 static void replay_dispatch(struct vulkan_replay *replay, const struct vulkan_command *command)

@@ -101,11 +101,19 @@ static void replay_reset(struct vulkan_replay *replay, const struct vulkan_comma
     reset(replay->queue, query->pool, query->index, query->count);
 }
 
+// Return the query of the view that is drawn. Views use queries that follow each other (Vulkan 1.1, "Multiview").
+static uint32_t query_of_view(const struct vulkan_replay *replay, uint32_t index)
+{
+    const struct vulkan_pass_state *const pass = &replay->pass;
+    const uint32_t views = pass->subpass ? pass->subpass->view_mask : 0;
+    return index + (uint32_t)__builtin_popcount(views & ((1u << pass->view_index) - 1));
+}
+
 static void replay_begin(struct vulkan_replay *replay, const struct vulkan_command *command)
 {
     const struct query_command *const query = (const struct query_command *)command;
     replay->active.pool = query->pool;
-    replay->active.index = query->index + replay->pass.view_index;
+    replay->active.index = query_of_view(replay, query->index);
     if (replay->pass.is_open) {
         vulkan_query_resume(replay);
     }
@@ -128,7 +136,7 @@ static void replay_end(struct vulkan_replay *replay, const struct vulkan_command
 static void replay_timestamp(struct vulkan_replay *replay, const struct vulkan_command *command)
 {
     const struct query_command *const query = (const struct query_command *)command;
-    const uint32_t index = query->index + replay->pass.view_index;
+    const uint32_t index = query_of_view(replay, query->index);
     struct vulkan_query_part *const part =
         replay->pass.is_open ? make_part(replay, query->pool, index) : NULL;
     if (part) {

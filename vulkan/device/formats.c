@@ -170,6 +170,7 @@ VKAPI_ATTR VkResult VKAPI_CALL vkGetPhysicalDeviceImageFormatProperties2(
             const VkPhysicalDeviceExternalImageFormatInfo *const external =
                 (const VkPhysicalDeviceExternalImageFormatInfo *)one;
             if (external->handleType != 0) {
+                properties->imageFormatProperties = (VkImageFormatProperties){0};
                 return VK_ERROR_FORMAT_NOT_SUPPORTED;
             }
         }

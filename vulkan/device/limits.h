@@ -13,4 +13,6 @@ enum {
     VULKAN_MAX_UNIFORM_RANGE = 65536
 };
 
+static const VkDeviceSize VULKAN_MAX_ALLOCATION = (VkDeviceSize)1 << 40; // bytes of memory or of a buffer
+
 #endif

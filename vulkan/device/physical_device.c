@@ -80,7 +80,7 @@ static void fill_resolve(VkPhysicalDeviceDepthStencilResolveProperties *resolve)
 static void fill_maintenance3(VkPhysicalDeviceMaintenance3Properties *maintenance)
 {
     maintenance->maxPerSetDescriptors = 1 << 20;
-    maintenance->maxMemoryAllocationSize = (VkDeviceSize)1 << 40;
+    maintenance->maxMemoryAllocationSize = VULKAN_MAX_ALLOCATION;
 }
 
 static void fill_properties(VkBaseOutStructure *one)

@@ -184,7 +184,7 @@ static void drop(VkQueue queue)
     queue->first = submission->next;
     queue->last = queue->first ? queue->last : NULL;
     pthread_cond_broadcast(&queue->changed);
-    vulkan_free(&queue->device->callbacks, submission);
+    free(submission);
 }
 
 // What a lost device was to signal may be gone already, so nothing is signalled any more. The lock is held.

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
 // What the program submits is copied before any of it is put into the queue, so that a submission that fails has done
-// nothing.
+// nothing. The queue's thread frees it, which may not call the program's allocator.
 #include "submission.h"
 
+#include <stdlib.h>
+
 // Return a submission with room for so much, in one block.
-static struct vulkan_submission *make_submission(VkDevice device, const VkSubmitInfo *info)
+static struct vulkan_submission *make_submission(const VkSubmitInfo *info)
 {
     struct vulkan_submission *submission;
     const size_t points = (size_t)info->waitSemaphoreCount + info->signalSemaphoreCount;
-    submission = vulkan_allocate(&device->callbacks,
-                                 sizeof *submission + points * sizeof(struct vulkan_point) +
-                                     info->commandBufferCount * sizeof(VkCommandBuffer),
-                                 VK_SYSTEM_ALLOCATION_SCOPE_OBJECT);
+    submission = calloc(1, sizeof *submission + points * sizeof(struct vulkan_point) +
+                               info->commandBufferCount * sizeof(VkCommandBuffer));
     if (!submission) {
         return NULL;
     }
@@ -46,11 +46,11 @@ static struct vulkan_submission *make_submission(VkDevice device, const VkSubmit
     return submission;
 }
 
-static void free_all(VkQueue queue, struct vulkan_submission *first)
+static void free_all(struct vulkan_submission *first)
 {
     while (first) {
         struct vulkan_submission *const next = first->next;
-        vulkan_free(&queue->device->callbacks, first);
+        free(first);
         first = next;
     }
 }
@@ -72,9 +72,9 @@ VKAPI_ATTR VkResult VKAPI_CALL vkQueueSubmit(VkQueue queue, uint32_t count, cons
     static const VkSubmitInfo nothing = {.sType = VK_STRUCTURE_TYPE_SUBMIT_INFO};
     struct vulkan_submission *first = NULL, **end = &first, *last = NULL;
     for (uint32_t i = 0; i < count || (count == 0 && i == 0); i++) {
-        last = make_submission(queue->device, count == 0 ? &nothing : &submits[i]);
+        last = make_submission(count == 0 ? &nothing : &submits[i]);
         if (!last) {
-            free_all(queue, first);
+            free_all(first);
             return VK_ERROR_OUT_OF_HOST_MEMORY;
         }
         *end = last;
@@ -88,7 +88,7 @@ VKAPI_ATTR VkResult VKAPI_CALL vkQueueSubmit(VkQueue queue, uint32_t count, cons
     }
     pthread_mutex_unlock(&queue->lock);
     if (is_lost) {
-        free_all(queue, first);
+        free_all(first);
         return VK_ERROR_DEVICE_LOST;
     }
     return VK_SUCCESS;

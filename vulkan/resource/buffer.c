@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "buffer.h"
 
+#include "device/limits.h"
 #include "format.h"
 #include "memory.h"
 
 VKAPI_ATTR VkResult VKAPI_CALL vkCreateBuffer(VkDevice device, const VkBufferCreateInfo *info,
                                               const VkAllocationCallbacks *callbacks, VkBuffer *buffer)
 {
+    *buffer = VK_NULL_HANDLE;
+    if (info->size > VULKAN_MAX_ALLOCATION) {
+        return VK_ERROR_OUT_OF_DEVICE_MEMORY;
+    }
     *buffer = vulkan_device_allocate(device, callbacks, sizeof **buffer);
     if (!*buffer) {
         return VK_ERROR_OUT_OF_HOST_MEMORY;

@@ -17,19 +17,38 @@ static unsigned char *allocate(VkDeviceSize size, void **block)
     return past == 0 ? bytes : bytes + VULKAN_MEMORY_ALIGNMENT - past;
 }
 
+static bool overlap(struct vulkan_memory_range a, struct vulkan_memory_range b)
+{
+    return a.begin < b.end && b.begin < a.end;
+}
+
+static void widen(struct vulkan_memory_range *range, struct vulkan_memory_range more)
+{
+    const bool is_first = range->end == 0;
+    range->begin = is_first || more.begin < range->begin ? more.begin : range->begin;
+    range->end = more.end > range->end ? more.end : range->end;
+}
+
 void vulkan_memory_note_buffer(VkDeviceMemory memory, VkDeviceSize offset, VkDeviceSize size)
 {
-    if (offset < memory->end_images && offset + size > memory->first_image) {
+    const struct vulkan_memory_range mine = {offset, offset + size};
+    pthread_mutex_lock(&memory->lock);
+    if (overlap(mine, memory->images)) {
         memory->has_aliases = true;
     }
+    widen(&memory->buffers, mine);
+    pthread_mutex_unlock(&memory->lock);
 }
 
 void vulkan_memory_note_image(VkDeviceMemory memory, VkDeviceSize offset, VkDeviceSize size)
 {
-    const bool is_first = memory->end_images == 0;
-    vulkan_memory_note_buffer(memory, offset, size);
-    memory->first_image = is_first || offset < memory->first_image ? offset : memory->first_image;
-    memory->end_images = offset + size > memory->end_images ? offset + size : memory->end_images;
+    const struct vulkan_memory_range mine = {offset, offset + size};
+    pthread_mutex_lock(&memory->lock);
+    if (overlap(mine, memory->images) || overlap(mine, memory->buffers)) {
+        memory->has_aliases = true;
+    }
+    widen(&memory->images, mine);
+    pthread_mutex_unlock(&memory->lock);
 }
 
 VKAPI_ATTR VkResult VKAPI_CALL vkAllocateMemory(VkDevice device, const VkMemoryAllocateInfo *info,
@@ -52,6 +71,7 @@ VKAPI_ATTR VkResult VKAPI_CALL vkAllocateMemory(VkDevice device, const VkMemoryA
         vulkan_device_free(device, callbacks, made);
         return VK_ERROR_OUT_OF_DEVICE_MEMORY;
     }
+    pthread_mutex_init(&made->lock, NULL);
     *memory = made;
     return VK_SUCCESS;
 }
@@ -61,6 +81,7 @@ VKAPI_ATTR void VKAPI_CALL vkFreeMemory(VkDevice device, VkDeviceMemory memory,
 {
     if (memory) {
         free(memory->block);
+        pthread_mutex_destroy(&memory->lock);
         vulkan_device_free(device, callbacks, memory);
     }
 }

@@ -5,13 +5,19 @@
 
 #include "device/device.h"
 
+#include <pthread.h>
+#include <stdatomic.h>
+
 struct VkDeviceMemory_T {
     VkDeviceSize size;
     unsigned char *bytes; ///< zeros at first, so that what a program forgets to write is the same everywhere
     void *block;          ///< what is given back to the C library
-    VkDeviceSize first_image, end_images; ///< bytes that images were bound to lie within
+    pthread_mutex_t lock; ///< guards the two that follow
+    struct vulkan_memory_range {
+        VkDeviceSize begin, end;
+    } images, buffers; ///< what was bound lies within
     /// Something was bound to bytes there before an image was, or after: they may share bytes.
-    bool has_aliases;
+    atomic_bool has_aliases;
 };
 
 // Remember what is bound to memory.
