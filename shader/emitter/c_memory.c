@@ -393,8 +393,8 @@ static void write_own_store(struct shader_emitter *emitter, const struct shader_
                      shader_c_argument(emitter, node->operands[2], false), (unsigned)emitter->mask);
 }
 
-// Begin to read bindings. What is the same in all lanes is read for all of them, as those that are not active are looked
-// at, too.
+// Begin to read bindings. What is the same in all lanes is read for all of them, as those that are not active are
+// looked at, too.
 static const char *begin_reading(struct shader_emitter *emitter, const struct shader_node *node,
                                  uint32_t buffer, const char **lanes)
 {

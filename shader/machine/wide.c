@@ -204,7 +204,8 @@ static void generate_wide_region(struct shader_generator *g, uint32_t place)
     generate_wide(g, place + 1, structure->end);
     if (is_loop && !g->is_dead) {
         change_in_all(g, X86_VMOVUPS, round, g->mask);
-        shader_put(g, X86_MOV | X86_WIDE, X86_RBX, 0, SHADER_FRAME(groups)); // it stands behind the last group
+        shader_put(g, X86_MOV | X86_WIDE, X86_RBX, 0,
+                   SHADER_FRAME(groups)); // it stands behind the last group
         shader_generate_giving_up(g, NULL);
         (void)and_in_all(g, round, round, false);
         test_found(g);

@@ -61,8 +61,8 @@ void vulkan_image_forget(VkQueue queue, VkImage image)
     }
 }
 
-// What the program maps is written at any time, and what another image shares by its commands. Nobody else writes without
-// a command of this image.
+// What the program maps is written at any time, and what another image shares by its commands. Nobody else writes
+// without a command of this image.
 static bool is_told(VkImage image)
 {
     return image->tiling == VK_IMAGE_TILING_OPTIMAL && !(image->flags & VK_IMAGE_CREATE_ALIAS_BIT);

@@ -179,12 +179,10 @@ static void check_alike(const uint32_t *words, size_t size)
     rhw_shader *shader;
     assert_int_equal(rhw_shader_create(words, size, &def, &shader, NULL), RHW_OK);
     rhw_shader_program *const program = spirv_link(NULL, NULL, shader);
-    const struct rhw_binding set[3] = {spirv_memory(first, sizeof first),
-                                       spirv_memory(second, sizeof second),
+    const struct rhw_binding set[3] = {spirv_memory(first, sizeof first), spirv_memory(second, sizeof second),
                                        spirv_memory(sink, sizeof sink)};
     const struct push push = {7, 3};
-    const struct rhw_shader_frame frame = {
-        .sets = {set}, .push_constants = &push, .push_size = sizeof push};
+    const struct rhw_shader_frame frame = {.sets = {set}, .push_constants = &push, .push_size = sizeof push};
     struct rig rig;
     rig_open(&rig, 4, 4);
     assert_int_equal(spirv_dispatch(&rig, program, &frame, 1), RHW_OK);
