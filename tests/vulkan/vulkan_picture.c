@@ -80,7 +80,9 @@ void picture_init(struct picture *picture, struct rig *rig, bool has_depth, VkSa
 void picture_begin(struct picture *picture)
 {
     const VkClearValue red = {.color = {.float32 = {0.25f, 0, 0, 1}}};
-    const VkClearValue clears[] = {[COLOR] = red, [DEPTH] = {.depthStencil = {1, 0}}, [SAMPLES] = red};
+    // A depth of 1 and a stencil of 0, or a red of 1 where that attachment has colours.
+    const VkClearValue far = {.color = {.float32 = {1, 0, 0, 0}}};
+    const VkClearValue clears[] = {[COLOR] = red, [DEPTH] = far, [SAMPLES] = red};
     const VkRect2D area = {.extent = {PICTURE_SIZE, PICTURE_SIZE}};
     const VkRenderPassBeginInfo begin = {.sType = VK_STRUCTURE_TYPE_RENDER_PASS_BEGIN_INFO,
                                          .renderPass = picture->pass,
