@@ -38,7 +38,7 @@ struct rhw_compute_program {
     int size[3];
     uint32_t shared_size; ///< bytes at `shared`, 0..RHW_MAX_SHARED_SIZE; they are 0 when a workgroup begins
     /// Bytes at `memory` for each invocation, 0..RHW_MAX_INVOCATION_SIZE, which it keeps from one barrier to the next.
-    /// Those of the one-at-a-time form are 0 when a workgroup begins.
+    /// In the one-at-a-time form these bytes are 0 when a workgroup begins.
     uint32_t invocation_size;
     uint32_t uniform_size; ///< bytes that the function reads at `uniforms`, 0..RHW_MAX_UNIFORM_SIZE
     const void *user;      ///< pointer that the function receives as `user`; see rhw_program.user

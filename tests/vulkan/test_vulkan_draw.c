@@ -38,7 +38,7 @@ static void describe_vertices(struct picture_state *state)
     state->input.vertexAttributeDescriptionCount = 2;
 }
 
-// The same triangle by librhw ------------------------------------------------------------------------
+// The triangle, drawn by librhw -----------------------------------------------------------------------
 
 static rhw_shader *shader_of(enum rhw_shader_stage stage, const uint32_t *words, size_t size)
 {

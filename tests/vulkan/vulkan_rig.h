@@ -58,7 +58,7 @@ struct rig_image {
 struct rig_image rig_image(struct rig *rig, VkFormat format, uint32_t width, uint32_t height,
                            VkSampleCountFlagBits samples, VkImageUsageFlags usage);
 
-// The same with layers, of which the view has all.
+// Create an image with layers, and a view that has all of them.
 struct rig_image rig_layers(struct rig *rig, VkFormat format, uint32_t width, uint32_t height,
                             uint32_t layers, VkImageUsageFlags usage);
 

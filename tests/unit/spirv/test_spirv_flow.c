@@ -193,16 +193,18 @@ static void check_alike(const uint32_t *words, size_t size)
     rhw_shader_program_destroy(program);
 }
 
-// Half of the pixels are covered, so that the first lanes of many groups are not active.
+// The covered pixels fill no whole number of groups, so that some lanes are not active.
 static void test_covered_lanes_share_what_all_have_alike(void **state)
 {
     (void)state;
-    int32_t first[] = {1, 10, 20}, second[] = {2, 30, 40, 50};
+    int32_t first[8] = {1, [5] = 30}, second[8] = {1, [5] = 160};
+    uint32_t counted = 0;
     rhw_shader_program *const program = spirv_link(SPIRV_CREATE(plain_vert, RHW_SHADER_VERTEX),
                                                    SPIRV_CREATE(alike_frag, RHW_SHADER_FRAGMENT), NULL);
-    const struct rig_vertex triangle[3] = {{{1, -1, 0, 1}, {0}}, {{1, 1, 0, 1}, {0}}, {{-1, 1, 0, 1}, {0}}};
-    const struct rhw_binding set[2] = {spirv_memory(first, sizeof first),
-                                       spirv_memory(second, sizeof second)};
+    const struct rig_vertex triangle[3] = {
+        {{0.9f, -1, 0, 1}, {0}}, {{1, 0.8f, 0, 1}, {0}}, {{-1, 0.9f, 0, 1}, {0}}};
+    const struct rhw_binding set[3] = {spirv_memory(first, sizeof first), spirv_memory(second, sizeof second),
+                                       spirv_memory(&counted, sizeof counted)};
     const float scale = 1;
     const struct rhw_shader_frame frame = {
         .sets = {set}, .push_constants = &scale, .push_size = sizeof scale};
@@ -215,13 +217,14 @@ static void test_covered_lanes_share_what_all_have_alike(void **state)
     rhw_pass_set_uniforms(rig.context, rig.recording, &frame, sizeof frame);
     rhw_pass_draw(rig.context, rig.recording, 0, 3, 0, 1);
     rig_end(&rig);
-    int covered = 0;
+    uint32_t covered = 0;
     for (int i = 0; i < 32 * 32; i++) {
         const float *const color = rig_read_float4(&rig)[i];
         covered += color[3] == 1.0f;
-        assert_true(color[3] != 1.0f || color[0] == 10 * 3 + 40 * 4);
+        assert_true(color[3] != 1.0f || color[0] == 30 + 160);
     }
-    assert_in_range(covered, 400, 600);
+    assert_int_equal(counted, covered);
+    assert_int_not_equal(covered % 8, 0);
     rig_close(&rig);
     rhw_shader_program_destroy(program);
 }
