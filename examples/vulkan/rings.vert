@@ -36,8 +36,9 @@ void main()
     place = along * turn * place + vec3(cos(at), sin(at), 0) * 0.083 * float(rings);
     color = 0.55 + 0.45 * cos(at + vec3(0.0, 2.1, 4.2));
 
-    // The eye looks at the origin, with z up; depths from 1 to 11 are seen.
+    // The eye looks at the origin, with z up, and what is near hangs lower: the picture's centre is a little below the
+    // origin. Depths from 1 to 11 are seen.
     const vec3 back = normalize(eye.xyz), right = normalize(cross(vec3(0, 0, 1), back)), up = cross(back, right);
     const vec3 seen = vec3(dot(place, right), dot(place, up), dot(eye.xyz - place, back));
-    gl_Position = vec4(seen.x * 2.025, -seen.y * 2.7, (seen.z - 1.0) * 1.1, seen.z);
+    gl_Position = vec4(seen.x * 2.025, -seen.y * 2.7 - 0.17 * seen.z, (seen.z - 1.0) * 1.1, seen.z);
 }
