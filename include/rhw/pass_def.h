@@ -85,8 +85,9 @@ struct rhw_depth_attachment {
     /// that write them. The load operation is DEFAULT or LOAD then, and the store operation is STORE, which writes
     /// nothing (WebGPU, depthReadOnly and stencilReadOnly; VK_IMAGE_LAYOUT_DEPTH_READ_ONLY_OPTIMAL).
     bool read_only, stencil_read_only;
-    /// A texture of the same format that the samples are resolved into besides, whether they are stored or discarded;
-    /// or the null id. Depth and stencil have a mode each (VkSubpassDescriptionDepthStencilResolve).
+    /// A texture that the samples are resolved into besides, whether they are stored or discarded; or the null id. It
+    /// has the same format, or that of one aspect, which alone is resolved then: D24_UNORM or S8_UINT for
+    /// D24_UNORM_S8_UINT. Depth and stencil have a mode each (VkSubpassDescriptionDepthStencilResolve).
     rhw_texture resolve;
     /// How depth is resolved, if `texture` has fewer samples than the pass or `resolve` is set.
     enum rhw_resolve resolve_mode;

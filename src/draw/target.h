@@ -21,6 +21,7 @@ struct rhw_attachment {
     size_t sample_stride;
     // The samples of the tile are resolved into this level where `resolves` is true. NULL: there is none.
     const struct rhw_mip *resolve;
+    enum rhw_format resolve_format; // format of `resolve`; of depth with stencil, it may be that of one of both
     bool resolves;
     struct rhw_clean_tiles *resolve_clean;
     enum rhw_resolve resolve_mode;

@@ -58,6 +58,11 @@ static enum rhw_load load_of(enum rhw_load load)
     return load == RHW_LOAD_DEFAULT ? RHW_LOAD_CLEAR : load;
 }
 
+static bool has_role(enum rhw_format format, int role)
+{
+    return rhw_format_has_role(rhw_format_info(format), role);
+}
+
 static void set_clear(struct rhw_attachment *attachment, const unsigned char *texel)
 {
     memset(attachment->clear, 0, sizeof attachment->clear);
@@ -169,11 +174,6 @@ static enum rhw_result attach_color(struct rhw_encoder *encoder, const struct rh
     return RHW_OK;
 }
 
-static bool has_role(enum rhw_format format, int role)
-{
-    return rhw_format_has_role(rhw_format_info(format), role);
-}
-
 static enum rhw_result attach_depth_texture(struct rhw_encoder *encoder,
                                             const struct rhw_depth_attachment *depth)
 {
@@ -272,7 +272,8 @@ static void attach_stencil(struct rhw_encoder *encoder, const struct rhw_depth_a
     stencil->resolve = rhw_stencil_aspect_of(target->depth.resolve, &encoder->pass->stencil_resolve);
     stencil->resolve_mode = depth->stencil_resolve_mode == RHW_RESOLVE_DEFAULT ? depth->resolve_mode
                                                                                : depth->stencil_resolve_mode;
-    stencil->resolves = target->has_stencil && is_resolved(stencil);
+    stencil->resolves = target->has_stencil && is_resolved(stencil) &&
+                        has_role(target->depth.resolve_format, RHW_ROLE_STENCIL_TARGET);
     set_clear(stencil, &depth->stencil_clear);
 }
 
@@ -288,7 +289,8 @@ static void set_depth(struct rhw_encoder *encoder, const struct rhw_depth_attach
     if (depth->read_only) {
         set_read_only(&target->depth);
     }
-    target->depth.resolves = target->has_depth && is_resolved(&target->depth);
+    target->depth.resolves = target->has_depth && is_resolved(&target->depth) &&
+                             has_role(target->depth.resolve_format, RHW_ROLE_DEPTH_TARGET);
     encoder->depth_by_default =
         target->depth.load == RHW_LOAD_CLEAR && depth->load == RHW_LOAD_DEFAULT && depth->clear == 0;
     const float clear[4] = {encoder->depth_by_default ? 1 : depth->clear};

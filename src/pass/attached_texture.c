@@ -171,6 +171,7 @@ enum rhw_result rhw_pass_attach_texture(struct rhw_encoder *encoder, rhw_texture
     attachment->loads_resolved = texture->samples != encoder->pass->target.pattern->count;
     if (attachment->loads_resolved) {
         attachment->resolve = &texture->mip[part.level];
+        attachment->resolve_format = texture->format;
     } else {
         attachment->target = &texture->mip[part.level];
         attachment->sample_stride = texture->samples > 1 ? texture->sample_stride : 0;
@@ -178,6 +179,16 @@ enum rhw_result rhw_pass_attach_texture(struct rhw_encoder *encoder, rhw_texture
     struct rhw_clean_tiles **const clean =
         attachment->loads_resolved ? &attachment->resolve_clean : &attachment->clean;
     return take(encoder, id, texture, part, clean) ? RHW_OK : RHW_ERROR_OUT_OF_MEMORY;
+}
+
+// Return true if samples of one format are resolved into another: into the same one, or into that of one aspect.
+static bool resolves_into(const struct rhw_format_info *from, const struct rhw_format_info *to)
+{
+    const int depth = RHW_ROLE_DEPTH_TARGET, stencil = RHW_ROLE_STENCIL_TARGET;
+    const bool is_depth = rhw_format_has_role(to, depth) && to->codec == from->codec;
+    const bool is_stencil = rhw_format_has_role(to, stencil) && !rhw_format_has_role(to, depth);
+    const bool has_both = rhw_format_has_role(from, depth) && rhw_format_has_role(from, stencil);
+    return from == to || (has_both && (is_depth || is_stencil));
 }
 
 enum rhw_result rhw_pass_attach_resolve(struct rhw_encoder *encoder, rhw_texture id, const char *name,
@@ -193,12 +204,15 @@ enum rhw_result rhw_pass_attach_resolve(struct rhw_encoder *encoder, rhw_texture
         !rhw_check(context, !attachment->loads_resolved && target->pattern->count > 1,
                    "%s: %s is set and %s.texture has one sample; it must be null then", where, member,
                    name) ||
-        !rhw_check(context, texture->samples == 1 && texture->format == attachment->format,
+        !rhw_check(context,
+                   texture->samples == 1 &&
+                       resolves_into(rhw_format_info(attachment->format), rhw_format_info(texture->format)),
                    "%s: %s is %s, which is %s with %d samples; it must be %s with one", where, member,
                    name_of(context, id).text, rhw_format_info(texture->format)->name, texture->samples,
                    rhw_format_info(attachment->format)->name)) {
         return RHW_ERROR_MISUSE;
     }
     attachment->resolve = &texture->mip[part.level];
+    attachment->resolve_format = texture->format;
     return take(encoder, id, texture, part, &attachment->resolve_clean) ? RHW_OK : RHW_ERROR_OUT_OF_MEMORY;
 }

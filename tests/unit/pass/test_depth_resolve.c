@@ -99,6 +99,32 @@ static void test_modes(void **state)
     }
 }
 
+// What is resolved into may have one aspect, which is resolved alone.
+static void test_one_aspect(void **state)
+{
+    (void)state;
+    static const enum rhw_format formats[][2] = {{RHW_FORMAT_D32_FLOAT_S8_UINT, RHW_FORMAT_D32_FLOAT},
+                                                 {RHW_FORMAT_D32_FLOAT_S8_UINT, RHW_FORMAT_S8_UINT},
+                                                 {RHW_FORMAT_D24_UNORM_S8_UINT, RHW_FORMAT_D24_UNORM},
+                                                 {RHW_FORMAT_D24_UNORM_S8_UINT, RHW_FORMAT_S8_UINT}};
+    for (int i = 0; i < 4; i++) {
+        struct rig rig;
+        open(&rig, formats[i][0], 0);
+        struct rhw_depth_attachment *const to = &rig.pass.depth;
+        to->resolve = make(&rig, formats[i][1], 1);
+        to->resolve_mode = RHW_RESOLVE_MAX;
+        draw(&rig);
+        if (i % 2 == 1) {
+            assert_int_equal(stencil_at(&rig, to->resolve, 0, EDGE), 200);
+            assert_int_equal(stencil_at(&rig, to->resolve, 0, SIDE - 1), 7);
+        } else {
+            assert_true(depth_at(&rig, to->resolve, formats[i][0], 0, EDGE) == 1);
+            assert_true(depth_at(&rig, to->resolve, formats[i][0], 0, 0) == 0);
+        }
+        rig_close(&rig);
+    }
+}
+
 // Samples that are forgotten, and those that are only read, are resolved nevertheless, with triangles and without.
 static void test_what_is_not_stored(void **state)
 {
@@ -182,10 +208,10 @@ static void test_misuse(void **state)
     rig.pass.colors[0].resolve_mode = RHW_RESOLVE_NONE;
     rig_expect_refused_pass(&rig, "colors[0].resolve_mode is RHW_RESOLVE_NONE");
     rig.pass = good;
-    rig.pass.depth.resolve = make(&rig, RHW_FORMAT_D32_FLOAT, 1);
+    rig.pass.depth.resolve = make(&rig, RHW_FORMAT_D24_UNORM, 1);
     rig_expect_refused_pass(
         &rig,
-        "which is RHW_FORMAT_D32_FLOAT with 1 samples; it must be RHW_FORMAT_D32_FLOAT_S8_UINT with one");
+        "which is RHW_FORMAT_D24_UNORM with 1 samples; it must be RHW_FORMAT_D32_FLOAT_S8_UINT with one");
     rig.pass = good;
     rig.pass.depth.resolve = make(&rig, RHW_FORMAT_D32_FLOAT_S8_UINT, 2);
     rig_expect_refused_pass(&rig, "with 2 samples; it must be RHW_FORMAT_D32_FLOAT_S8_UINT with one");
@@ -204,7 +230,7 @@ static void test_misuse(void **state)
     rig_close(&rig);
 }
 
-static const struct CMUnitTest tests[] = {cmocka_unit_test(test_modes),
+static const struct CMUnitTest tests[] = {cmocka_unit_test(test_modes), cmocka_unit_test(test_one_aspect),
                                           cmocka_unit_test(test_what_is_not_stored),
                                           cmocka_unit_test(test_sampled), cmocka_unit_test(test_misuse)};
 
