@@ -545,7 +545,7 @@ enum rhw_blend_factor {
     RHW_BLEND_SRC_ALPHA_SATURATED, RHW_BLEND_CONSTANT, RHW_BLEND_ONE_MINUS_CONSTANT,
     RHW_BLEND_CONSTANT_ALPHA, RHW_BLEND_ONE_MINUS_CONSTANT_ALPHA,
     // The SRC1 factors are dual-source blending. The second source is color[1] of the fragment function, and the
-    // pipeline has one target (Vulkan 1.3 §29.1.2, maxFragmentDualSrcAttachments 1).
+    // pipeline writes target 0 alone (Vulkan 1.3 §29.1.2, maxFragmentDualSrcAttachments 1).
     RHW_BLEND_SRC1, RHW_BLEND_ONE_MINUS_SRC1, RHW_BLEND_SRC1_ALPHA, RHW_BLEND_ONE_MINUS_SRC1_ALPHA
 };
 enum rhw_blend_operation {

@@ -315,6 +315,16 @@ static bool check_any_format(const struct rhw_context *context, const struct rhw
         create_name);
 }
 
+// Return true if target 0 alone is written, so that color[1] is free for its second source.
+static bool leaves_second(const struct rhw_pipeline_def *def)
+{
+    bool leaves = true;
+    for (int i = 1; i < def->target_count; i++) {
+        leaves &= def->targets[i].format == RHW_FORMAT_NONE || def->targets[i].write_mask == RHW_WRITE_NONE;
+    }
+    return leaves;
+}
+
 static bool check_targets(const struct rhw_context *context, const struct rhw_pipeline_def *def)
 {
     if (!check_range(context, "target_count", def->target_count, 0, RHW_MAX_COLOR_ATTACHMENTS) ||
@@ -327,9 +337,9 @@ static bool check_targets(const struct rhw_context *context, const struct rhw_pi
     }
     for (int i = 0; i < def->target_count; i++) {
         if (!check_target(context, i, &def->targets[i]) ||
-            !rhw_check(context, def->target_count == 1 || !rhw_blend_reads_second(&def->targets[i]),
+            !rhw_check(context, !rhw_blend_reads_second(&def->targets[i]) || (i == 0 && leaves_second(def)),
                        "%s: targets[%d] blends with the second source, color[1], and target_count is %d; it "
-                       "must be 1",
+                       "must be targets[0], and the others must have the write_mask RHW_WRITE_NONE",
                        create_name, i, def->target_count) ||
             !rhw_check(context,
                        has_fragment(&def->program) || def->targets[i].format == RHW_FORMAT_NONE ||

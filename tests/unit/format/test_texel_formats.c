@@ -410,7 +410,8 @@ static void fragment_two1(struct rhw_fragment1 *fragment)
     }
 }
 
-static void expect_dual(bool one_at_a_time, int samples)
+// A second target, if there is one, is left as it is.
+static void expect_dual(bool one_at_a_time, int samples, bool has_another)
 {
     struct rig rig;
     rig_open_with(&rig, 16, 16, &(struct rhw_context_def){.threads = 1, .validate = RHW_VALIDATE_ON});
@@ -422,6 +423,10 @@ static void expect_dual(bool one_at_a_time, int samples)
     target->color = (struct rhw_blend_component){RHW_BLEND_SRC1, RHW_BLEND_ONE_MINUS_SRC1, RHW_BLEND_ADD};
     target->alpha =
         (struct rhw_blend_component){RHW_BLEND_ONE_MINUS_SRC1_ALPHA, RHW_BLEND_SRC1_ALPHA, RHW_BLEND_ADD};
+    if (has_another) {
+        rig_set_target(&rig, 1, RHW_FORMAT_RGBA8_UNORM);
+        rig.pipeline.targets[1].write_mask = RHW_WRITE_NONE;
+    }
     memcpy(rig.pass.colors[0].clear, (const float[4]){1, 2, 4, 8}, 16);
     struct rig_vertex vertices[6];
     rig_cover(&rig, 0.5f, (const float[4]){0}, vertices);
@@ -438,9 +443,11 @@ static void expect_dual(bool one_at_a_time, int samples)
 static void test_second_source(void **state)
 {
     (void)state;
-    expect_dual(false, 1);
-    expect_dual(true, 1);
-    expect_dual(false, 4);
+    for (int another = 0; another < 2; another++) {
+        expect_dual(false, 1, another);
+        expect_dual(true, 1, another);
+        expect_dual(false, 4, another);
+    }
     struct rig rig;
     rig_open(&rig, 16, 16);
     rig_set_target(&rig, 1, RHW_FORMAT_RGBA8_UNORM);
