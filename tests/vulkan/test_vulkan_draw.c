@@ -232,7 +232,7 @@ static void blending_weighs_both_colours(void **unused)
     struct picture picture;
     struct picture_state state;
     begin_quads(&rig, &picture, &state, false, VK_SAMPLE_COUNT_1_BIT);
-    state.blend =
+    state.blend[0] =
         (VkPipelineColorBlendAttachmentState){.blendEnable = VK_TRUE,
                                               .srcColorBlendFactor = VK_BLEND_FACTOR_SRC_ALPHA,
                                               .dstColorBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA,
@@ -240,10 +240,10 @@ static void blending_weighs_both_colours(void **unused)
                                               .dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE,
                                               .colorWriteMask = 15};
     VkPipeline over = picture_pipeline(&picture, &state, picture.pass, 0);
-    state.blend.srcColorBlendFactor = VK_BLEND_FACTOR_CONSTANT_COLOR;
-    state.blend.dstColorBlendFactor = VK_BLEND_FACTOR_ZERO;
-    state.blend.colorBlendOp = VK_BLEND_OP_ADD;
-    state.blend.colorWriteMask = VK_COLOR_COMPONENT_G_BIT;
+    state.blend[0].srcColorBlendFactor = VK_BLEND_FACTOR_CONSTANT_COLOR;
+    state.blend[0].dstColorBlendFactor = VK_BLEND_FACTOR_ZERO;
+    state.blend[0].colorBlendOp = VK_BLEND_OP_ADD;
+    state.blend[0].colorWriteMask = VK_COLOR_COMPONENT_G_BIT;
     state.dynamic[2] = VK_DYNAMIC_STATE_BLEND_CONSTANTS;
     state.dynamics.dynamicStateCount = 3;
     VkPipeline constant = picture_pipeline(&picture, &state, picture.pass, 0);

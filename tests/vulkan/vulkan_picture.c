@@ -130,7 +130,7 @@ void picture_state(struct picture_state *state, const struct picture *picture, V
         .samples = {.sType = VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO,
                     .rasterizationSamples = picture->sample_count},
         .depth = {.sType = VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO},
-        .blend = {.colorWriteMask = 15},
+        .blend = {{.colorWriteMask = 15}},
         .blends = {.sType = VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO, .attachmentCount = 1},
         .dynamic = {VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR},
         .dynamics = {.sType = VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO, .dynamicStateCount = 2},
@@ -144,9 +144,10 @@ VkPipeline picture_pipeline(const struct picture *picture, struct picture_state 
 {
     state->input.pVertexBindingDescriptions = state->buffers;
     state->input.pVertexAttributeDescriptions = state->attributes;
-    state->blends.pAttachments = &state->blend;
+    state->blends.pAttachments = state->blend;
     state->dynamics.pDynamicStates = state->dynamic;
     const VkGraphicsPipelineCreateInfo info = {.sType = VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO,
+                                               .pNext = state->next,
                                                .stageCount = state->stages[1].module ? 2 : 1,
                                                .pStages = state->stages,
                                                .pVertexInputState = &state->input,

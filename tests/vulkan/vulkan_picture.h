@@ -34,6 +34,7 @@ void picture_end(struct picture *picture);
 uint32_t picture_texel(const struct picture *picture, int x, int y);
 
 struct picture_state {
+    const void *next; ///< pNext of the pipeline
     VkPipelineShaderStageCreateInfo stages[2];
     VkVertexInputBindingDescription buffers[4];
     VkVertexInputAttributeDescription attributes[4];
@@ -43,7 +44,7 @@ struct picture_state {
     VkPipelineRasterizationStateCreateInfo rasterization;
     VkPipelineMultisampleStateCreateInfo samples;
     VkPipelineDepthStencilStateCreateInfo depth;
-    VkPipelineColorBlendAttachmentState blend;
+    VkPipelineColorBlendAttachmentState blend[2]; ///< the first one writes all channels, the second none
     VkPipelineColorBlendStateCreateInfo blends;
     VkDynamicState dynamic[9];
     VkPipelineDynamicStateCreateInfo dynamics;

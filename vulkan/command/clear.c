@@ -105,7 +105,7 @@ static struct rhw_rect within(const VkRect2D *rect, const VkRect2D *area)
                              bottom > top ? (int)(bottom - top) : 0};
 }
 
-// Set what is cleared to what. Return false if the subpass does not have it.
+// Set what is cleared to what, of what the subpass draws into. Return false if that is nothing.
 static bool set_clear(const struct vulkan_pass_state *pass, const VkClearAttachment *attachment,
                       struct rhw_clear *clear)
 {
@@ -113,7 +113,7 @@ static bool set_clear(const struct vulkan_pass_state *pass, const VkClearAttachm
     if (attachment->aspectMask & VK_IMAGE_ASPECT_COLOR_BIT) {
         const uint32_t i = attachment->colorAttachment;
         const uint32_t number = i < subpass->color_count ? subpass->colors[i] : VK_ATTACHMENT_UNUSED;
-        if (number == VK_ATTACHMENT_UNUSED) {
+        if (number == VK_ATTACHMENT_UNUSED || !pass->views[number]) {
             return false;
         }
         clear->colors = 1u << i;
@@ -121,11 +121,12 @@ static bool set_clear(const struct vulkan_pass_state *pass, const VkClearAttachm
                            clear->color_integer[i]);
         return true;
     }
-    clear->depth = attachment->aspectMask & VK_IMAGE_ASPECT_DEPTH_BIT;
-    clear->stencil = attachment->aspectMask & VK_IMAGE_ASPECT_STENCIL_BIT;
+    const VkImageAspectFlags aspects = attachment->aspectMask & vulkan_pass_depth_aspects(pass);
+    clear->depth = aspects & VK_IMAGE_ASPECT_DEPTH_BIT;
+    clear->stencil = aspects & VK_IMAGE_ASPECT_STENCIL_BIT;
     clear->depth_value = vulkan_clear_depth(attachment->clearValue.depthStencil.depth);
     clear->stencil_value = (uint8_t)attachment->clearValue.depthStencil.stencil;
-    return subpass->depth != VK_ATTACHMENT_UNUSED;
+    return aspects != 0;
 }
 
 static void replay_attachment(struct vulkan_replay *replay, const struct vulkan_command *command)
@@ -133,7 +134,7 @@ static void replay_attachment(struct vulkan_replay *replay, const struct vulkan_
     const struct attachment_clear *const one = (const struct attachment_clear *)command;
     struct vulkan_pass_state *const pass = &replay->pass;
     struct rhw_clear clear = {0};
-    if (!vulkan_pass_open(replay, 0) || !set_clear(pass, &one->attachment, &clear)) {
+    if (!pass->render_pass || !set_clear(pass, &one->attachment, &clear) || !vulkan_pass_open(replay, 0)) {
         return;
     }
     const struct rhw_rect rect = within(&one->rect.rect, &pass->area);

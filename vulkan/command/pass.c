@@ -3,10 +3,9 @@
 #include "clear_value.h"
 #include "pass.h"
 
+#include "device/chain.h"
 #include "replay.h"
 #include "resource/format.h"
-
-#include <string.h>
 
 // Replay ----------------------------------------------------------------------------------------------
 
@@ -15,15 +14,20 @@ static uint32_t first_view(uint32_t mask)
     return mask ? (uint32_t)__builtin_ctz(mask) : 0;
 }
 
-// Clear an attachment that the subpass reads and does not draw into.
-static void clear_input(struct vulkan_replay *replay, uint32_t number)
+// Clear an attachment that the subpass does not draw into, if nothing has been loaded into it.
+static void clear_unloaded(struct vulkan_replay *replay, uint32_t number)
 {
     struct vulkan_pass_state *const pass = &replay->pass;
+    if (number == VK_ATTACHMENT_UNUSED || !pass->views[number] ||
+        pass->loaded[number] >> pass->view_index & 1) {
+        return;
+    }
+    pass->loaded[number] |= 1u << pass->view_index;
     const struct vulkan_attachment *const attachment = &pass->render_pass->attachments[number];
     const VkImageView view = pass->views[number];
     rhw_texture texture;
-    if (vulkan_image_view_target(replay->queue, view, &texture) != VK_SUCCESS) {
-        replay->result = VK_ERROR_DEVICE_LOST;
+    replay->result = vulkan_image_view_target(replay->queue, view, &texture);
+    if (texture.context == 0) {
         return;
     }
     const VkImageAspectFlags aspects = vulkan_format_aspects(view->image->vulkan_format);
@@ -59,23 +63,21 @@ static bool draws_into(const struct vulkan_subpass *subpass, uint32_t number)
     return draws;
 }
 
-// Let attachments that are read hold what they are cleared to, before anything is drawn.
+// Let attachments that are read hold what they are cleared to, before anything is drawn, and so the aspect of another
+// one that depth or stencil alone is resolved into.
 static void load_inputs(struct vulkan_replay *replay)
 {
     struct vulkan_pass_state *const pass = &replay->pass;
     bool reads_own = false;
     for (uint32_t i = 0; i < pass->subpass->input_count; i++) {
         const uint32_t number = pass->subpass->inputs[i];
-        if (number == VK_ATTACHMENT_UNUSED || pass->loaded[number] >> pass->view_index & 1) {
-            continue;
-        }
-        if (draws_into(pass->subpass, number)) {
-            reads_own = true;
+        if (number != VK_ATTACHMENT_UNUSED && draws_into(pass->subpass, number)) {
+            reads_own = reads_own || !(pass->loaded[number] >> pass->view_index & 1);
         } else {
-            clear_input(replay, number);
-            pass->loaded[number] |= 1u << pass->view_index;
+            clear_unloaded(replay, number);
         }
     }
+    clear_unloaded(replay, pass->subpass->depth_resolve);
     if (reads_own) {
         const bool splits = pass->splits;
         pass->splits = true; // what is cleared is stored
@@ -90,9 +92,10 @@ struct begin_pass {
     VkRenderPass render_pass;
     VkRect2D area;
     uint32_t width, height, layers;
-    uint32_t view_count, clear_count;
+    uint32_t attachment_count;
     const VkImageView *views;
     const VkClearValue *clears;
+    uint32_t *loaded; // what replay notes
 };
 
 static void replay_begin_pass(struct vulkan_replay *replay, const struct vulkan_command *command)
@@ -106,10 +109,12 @@ static void replay_begin_pass(struct vulkan_replay *replay, const struct vulkan_
         .width = begin->width,
         .height = begin->height,
         .layers = begin->layers,
+        .views = begin->views,
+        .clears = begin->clears,
+        .loaded = begin->loaded,
     };
-    memcpy(pass->views, begin->views, begin->view_count * sizeof *pass->views);
-    memcpy(pass->clears, begin->clears, begin->clear_count * sizeof *pass->clears);
-    for (uint32_t i = 0; i < begin->view_count; i++) {
+    for (uint32_t i = 0; i < begin->attachment_count; i++) {
+        pass->loaded[i] = 0;
         if (pass->views[i] && begin->render_pass->attachments[i].is_undefined) {
             vulkan_image_forget(replay->queue, pass->views[i]->image);
         }
@@ -205,9 +210,9 @@ void vulkan_record_end_pass(VkCommandBuffer buffer)
 
 void *vulkan_record_begin_pass(VkCommandBuffer buffer, const struct vulkan_pass_begin *begin, size_t more)
 {
-    const size_t views = begin->view_count * sizeof *begin->views;
-    const size_t clears = begin->clear_count * sizeof *begin->clears;
-    const size_t own = (sizeof(struct begin_pass) + views + clears + 15) / 16 * 16;
+    const size_t count = begin->attachment_count;
+    const size_t each = sizeof(VkImageView) + sizeof(VkClearValue) + sizeof(uint32_t);
+    const size_t own = (sizeof(struct begin_pass) + count * each + 15) / 16 * 16;
     struct begin_pass *const command = vulkan_record(buffer, own + more, replay_begin_pass);
     if (!command) {
         return NULL;
@@ -217,15 +222,17 @@ void *vulkan_record_begin_pass(VkCommandBuffer buffer, const struct vulkan_pass_
     command->width = begin->width;
     command->height = begin->height;
     command->layers = begin->layers;
-    command->view_count = begin->view_count;
-    command->clear_count = begin->clear_count;
-    command->views = (const VkImageView *)(command + 1);
-    command->clears = (const VkClearValue *)(const void *)(command->views + begin->view_count);
-    if (begin->view_count > 0) {
-        memcpy(command + 1, begin->views, views);
+    command->attachment_count = begin->attachment_count;
+    VkImageView *const views = (VkImageView *)(command + 1);
+    VkClearValue *const clears = (VkClearValue *)(void *)(views + count);
+    command->views = views;
+    command->clears = clears;
+    command->loaded = (uint32_t *)(void *)(clears + count);
+    for (uint32_t i = 0; i < begin->view_count && i < count; i++) {
+        views[i] = begin->views[i];
     }
-    if (begin->clear_count > 0) {
-        memcpy((unsigned char *)(command + 1) + views, begin->clears, clears);
+    for (uint32_t i = 0; i < begin->clear_count && i < count; i++) {
+        clears[i] = begin->clears[i];
     }
     unsigned char *const behind = (unsigned char *)command + own;
     if (!begin->render_pass) {
@@ -239,25 +246,25 @@ VKAPI_ATTR void VKAPI_CALL vkCmdBeginRenderPass(VkCommandBuffer buffer, const Vk
 {
     (void)contents;
     const VkFramebuffer framebuffer = info->framebuffer;
-    const uint32_t count = info->renderPass->attachment_count;
+    const VkDeviceGroupRenderPassBeginInfo *const group =
+        vulkan_chain_find(info->pNext, VK_STRUCTURE_TYPE_DEVICE_GROUP_RENDER_PASS_BEGIN_INFO);
     struct vulkan_pass_begin begin = {
         .render_pass = info->renderPass,
-        .area = info->renderArea,
+        .area = group && group->deviceRenderAreaCount > 0 ? group->pDeviceRenderAreas[0] : info->renderArea,
         .width = framebuffer->width,
         .height = framebuffer->height,
         .layers = framebuffer->layers,
+        .attachment_count = info->renderPass->attachment_count,
         .view_count = framebuffer->attachment_count,
         .views = framebuffer->attachments,
-        .clear_count = info->clearValueCount < count ? info->clearValueCount : count,
+        .clear_count = info->clearValueCount,
         .clears = info->pClearValues,
     };
-    for (const VkBaseInStructure *one = info->pNext; framebuffer->is_imageless && one; one = one->pNext) {
-        if (one->sType == VK_STRUCTURE_TYPE_RENDER_PASS_ATTACHMENT_BEGIN_INFO) {
-            const VkRenderPassAttachmentBeginInfo *const attachments =
-                (const VkRenderPassAttachmentBeginInfo *)one;
-            begin.view_count = attachments->attachmentCount;
-            begin.views = attachments->pAttachments;
-        }
+    const VkRenderPassAttachmentBeginInfo *const attachments =
+        vulkan_chain_find(info->pNext, VK_STRUCTURE_TYPE_RENDER_PASS_ATTACHMENT_BEGIN_INFO);
+    if (framebuffer->is_imageless && attachments) {
+        begin.view_count = attachments->attachmentCount;
+        begin.views = attachments->pAttachments;
     }
     if (vulkan_record_begin_pass(buffer, &begin, 0)) {
         vulkan_record_begin_subpass(buffer);

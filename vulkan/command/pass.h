@@ -10,9 +10,10 @@ struct vulkan_pass_begin {
     VkRenderPass render_pass; ///< NULL: it stands behind the command, in what vulkan_record_begin_pass returns
     VkRect2D area;
     uint32_t width, height, layers;
+    uint32_t attachment_count; ///< attachments of the render pass
     uint32_t view_count, clear_count;
-    const VkImageView *views;
-    const VkClearValue *clears;
+    const VkImageView *views;   ///< views; the rest of the attachments has none
+    const VkClearValue *clears; ///< clear values; the rest of the attachments has zeros
 };
 
 // Record the begin of a render pass. Return `more` bytes of zeros behind the command, or NULL without memory.

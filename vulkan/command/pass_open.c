@@ -88,6 +88,16 @@ static bool is_stencil_read_only(VkImageLayout layout)
            layout == VK_IMAGE_LAYOUT_STENCIL_READ_ONLY_OPTIMAL || layout == VK_IMAGE_LAYOUT_READ_ONLY_OPTIMAL;
 }
 
+VkImageAspectFlags vulkan_pass_depth_aspects(const struct vulkan_pass_state *pass)
+{
+    const struct vulkan_subpass *const subpass = pass->subpass;
+    const VkImageView view = subpass->depth != VK_ATTACHMENT_UNUSED ? pass->views[subpass->depth] : NULL;
+    VkImageAspectFlags written = VK_IMAGE_ASPECT_DEPTH_BIT | VK_IMAGE_ASPECT_STENCIL_BIT;
+    written &= is_depth_read_only(subpass->depth_layout) ? ~(unsigned)VK_IMAGE_ASPECT_DEPTH_BIT : ~0u;
+    written &= is_stencil_read_only(subpass->stencil_layout) ? ~(unsigned)VK_IMAGE_ASPECT_STENCIL_BIT : ~0u;
+    return view ? written & vulkan_format_aspects(view->image->vulkan_format) : 0;
+}
+
 // What is read only is neither cleared nor thrown away.
 static void set_read_only(struct vulkan_replay *replay, struct rhw_depth_attachment *depth)
 {
@@ -102,6 +112,19 @@ static void set_read_only(struct vulkan_replay *replay, struct rhw_depth_attachm
         depth->stencil_read_only = depth->stencil_load != RHW_LOAD_CLEAR;
         depth->stencil_store = depth->stencil_read_only ? RHW_STORE_STORE : depth->stencil_store;
     }
+}
+
+// An aspect that the attachment to resolve into does not have is not resolved.
+static void set_resolve(const struct vulkan_pass_state *pass, struct rhw_depth_attachment *depth)
+{
+    const struct vulkan_subpass *const subpass = pass->subpass;
+    const VkImageAspectFlags aspects =
+        vulkan_format_aspects(pass->views[subpass->depth_resolve]->image->vulkan_format);
+    depth->resolve_mode =
+        aspects & VK_IMAGE_ASPECT_DEPTH_BIT ? resolve_mode(subpass->depth_resolve_mode) : RHW_RESOLVE_NONE;
+    depth->stencil_resolve_mode = aspects & VK_IMAGE_ASPECT_STENCIL_BIT
+                                      ? resolve_mode(subpass->stencil_resolve_mode)
+                                      : RHW_RESOLVE_NONE;
 }
 
 static void set_depth(struct vulkan_replay *replay, struct rhw_depth_attachment *depth)
@@ -129,8 +152,7 @@ static void set_depth(struct vulkan_replay *replay, struct rhw_depth_attachment 
     set_read_only(replay, depth);
     depth->resolve = texture_of(replay, subpass->depth_resolve);
     if (depth->resolve.context != 0) {
-        depth->resolve_mode = resolve_mode(subpass->depth_resolve_mode);
-        depth->stencil_resolve_mode = resolve_mode(subpass->stencil_resolve_mode);
+        set_resolve(pass, depth);
     }
 }
 

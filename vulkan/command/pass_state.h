@@ -17,10 +17,10 @@ struct vulkan_pass_state {
     VkRenderPass render_pass; ///< NULL outside of render passes
     uint32_t subpass_index;
     const struct vulkan_subpass *subpass;
-    VkImageView views[VULKAN_MAX_ATTACHMENTS]; ///< by number of the attachment
-    VkClearValue clears[VULKAN_MAX_ATTACHMENTS];
-    uint32_t
-        loaded[VULKAN_MAX_ATTACHMENTS]; ///< views in which the attachment has been loaded or cleared, as bits
+    // By number of the attachment, in the command that began the render pass
+    const VkImageView *views;
+    const VkClearValue *clears;
+    uint32_t *loaded; ///< views in which the attachment has been loaded or cleared, as bits
     VkRect2D area;
     uint32_t width, height, layers;   ///< size of the framebuffer
     uint32_t samples;                 ///< samples of the pass of librhw that is open
@@ -36,6 +36,9 @@ struct vulkan_pass_state {
 // fails, or if no render pass is under way; the replay knows why. A pass that was opened anew knows nothing of what is
 // bound (vulkan_bound.is_told).
 bool vulkan_pass_open(struct vulkan_replay *replay, uint32_t samples);
+
+// Return the aspects of the depth and stencil attachment of the subpass that may be written, or 0 if there is none.
+VkImageAspectFlags vulkan_pass_depth_aspects(const struct vulkan_pass_state *pass);
 
 // Close the pass of librhw, if it is open. What is in the replay's arena may be thrown away then.
 void vulkan_pass_close(struct vulkan_replay *replay);

@@ -31,6 +31,11 @@ static VkAttachmentStoreOp store_of(const VkRenderingInfo *info, VkAttachmentSto
     return info->flags & VK_RENDERING_SUSPENDING_BIT ? VK_ATTACHMENT_STORE_OP_STORE : store;
 }
 
+static uint32_t count_colors(const VkRenderingInfo *info)
+{
+    return info->colorAttachmentCount < COLORS ? info->colorAttachmentCount : COLORS;
+}
+
 static bool is_used(const VkRenderingAttachmentInfo *attachment)
 {
     return attachment && attachment->imageView;
@@ -105,7 +110,7 @@ static void set_depth(const VkRenderingInfo *info, struct rendering *rendering)
 
 static void set_views(const VkRenderingInfo *info, struct views *views)
 {
-    for (uint32_t i = 0; i < info->colorAttachmentCount; i++) {
+    for (uint32_t i = 0; i < count_colors(info); i++) {
         const VkRenderingAttachmentInfo *const color = &info->pColorAttachments[i];
         if (is_used(color)) {
             views->views[2 * i] = color->imageView;
@@ -138,6 +143,7 @@ VKAPI_ATTR void VKAPI_CALL vkCmdBeginRendering(VkCommandBuffer buffer, const VkR
         .width = (uint32_t)info->renderArea.offset.x + info->renderArea.extent.width,
         .height = (uint32_t)info->renderArea.offset.y + info->renderArea.extent.height,
         .layers = info->viewMask ? 1 : info->layerCount,
+        .attachment_count = COUNT,
         .view_count = COUNT,
         .clear_count = COUNT,
         .views = views.views,
@@ -148,9 +154,9 @@ VKAPI_ATTR void VKAPI_CALL vkCmdBeginRendering(VkCommandBuffer buffer, const VkR
         return;
     }
     rendering->pass = (struct VkRenderPass_T){COUNT, 1, rendering->attachments, &rendering->subpass};
-    rendering->subpass.color_count = info->colorAttachmentCount;
+    rendering->subpass.color_count = count_colors(info);
     rendering->subpass.view_mask = info->viewMask;
-    for (uint32_t i = 0; i < info->colorAttachmentCount; i++) {
+    for (uint32_t i = 0; i < rendering->subpass.color_count; i++) {
         set_color(info, i, rendering);
     }
     set_depth(info, rendering);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "formats.h"
 
+#include "chain.h"
 #include "limits.h"
 #include "resource/format.h"
 
@@ -165,15 +166,11 @@ VKAPI_ATTR VkResult VKAPI_CALL vkGetPhysicalDeviceImageFormatProperties2(
     VkImageFormatProperties2 *properties)
 {
     (void)device;
-    for (const VkBaseInStructure *one = info->pNext; one; one = one->pNext) {
-        if (one->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_EXTERNAL_IMAGE_FORMAT_INFO) {
-            const VkPhysicalDeviceExternalImageFormatInfo *const external =
-                (const VkPhysicalDeviceExternalImageFormatInfo *)one;
-            if (external->handleType != 0) {
-                properties->imageFormatProperties = (VkImageFormatProperties){0};
-                return VK_ERROR_FORMAT_NOT_SUPPORTED;
-            }
-        }
+    const VkPhysicalDeviceExternalImageFormatInfo *const external =
+        vulkan_chain_find(info->pNext, VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_EXTERNAL_IMAGE_FORMAT_INFO);
+    if (external && external->handleType != 0) {
+        properties->imageFormatProperties = (VkImageFormatProperties){0};
+        return VK_ERROR_FORMAT_NOT_SUPPORTED;
     }
     return image_properties(info, &properties->imageFormatProperties);
 }

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "render_pass.h"
 
+#include "device/chain.h"
 #include "resource/image_view.h"
 
+#include <stddef.h>
 #include <string.h>
 
 VkFormat vulkan_render_pass_format(VkRenderPass pass, uint32_t attachment)
@@ -10,18 +12,14 @@ VkFormat vulkan_render_pass_format(VkRenderPass pass, uint32_t attachment)
     return attachment < pass->attachment_count ? pass->attachments[attachment].format : VK_FORMAT_UNDEFINED;
 }
 
-// Return a render pass with room for so much, in one block, or NULL where that is too much.
+// Return a render pass with room for so much, in one block, or NULL without memory.
 static VkRenderPass make_pass(VkDevice device, const VkAllocationCallbacks *callbacks, uint32_t attachments,
-                              uint32_t subpasses)
+                              uint32_t subpasses, size_t inputs)
 {
     const size_t first = sizeof(struct vulkan_subpass) * subpasses;
-    if (attachments > VULKAN_MAX_ATTACHMENTS) {
-        vulkan_log("a render pass of %u attachments; at most %d", (unsigned)attachments,
-                   VULKAN_MAX_ATTACHMENTS);
-        return NULL;
-    }
-    const VkRenderPass pass = vulkan_device_allocate(
-        device, callbacks, sizeof *pass + first + sizeof(struct vulkan_attachment) * attachments);
+    const size_t second = sizeof(struct vulkan_attachment) * attachments;
+    const VkRenderPass pass =
+        vulkan_device_allocate(device, callbacks, sizeof *pass + first + second + inputs * sizeof(uint32_t));
     if (pass) {
         pass->attachment_count = attachments;
         pass->subpass_count = subpasses;
@@ -29,6 +27,12 @@ static VkRenderPass make_pass(VkDevice device, const VkAllocationCallbacks *call
         pass->attachments = (struct vulkan_attachment *)(void *)(pass->subpasses + subpasses);
     }
     return pass;
+}
+
+// Return the place of the inputs of all subpasses, behind the attachments.
+static uint32_t *first_input(VkRenderPass pass)
+{
+    return (uint32_t *)(void *)(pass->attachments + pass->attachment_count);
 }
 
 static void note_use(VkRenderPass pass, struct vulkan_subpass *subpass, uint32_t number)
@@ -60,12 +64,54 @@ static void note_uses(VkRenderPass pass, struct vulkan_subpass *subpass)
     note_use(pass, subpass, subpass->depth_resolve);
 }
 
-static uint32_t at_most(uint32_t count, uint32_t most)
+// References of either version to attachments. The numbers stand `stride` bytes apart.
+struct references {
+    const uint32_t *first; // NULL: none
+    size_t stride;
+};
+
+static struct references references_of(const VkAttachmentReference *first)
 {
-    return count < most ? count : most;
+    return (struct references){first ? &first->attachment : NULL, sizeof *first};
 }
 
-// Render passes of Vulkan 1.0 -------------------------------------------------------------------------
+static struct references references2_of(const VkAttachmentReference2 *first)
+{
+    return (struct references){first ? &first->attachment : NULL, sizeof *first};
+}
+
+static uint32_t number_at(struct references references, uint32_t i)
+{
+    return references.first
+               ? *(const uint32_t *)(const void *)((const char *)references.first + i * references.stride)
+               : VK_ATTACHMENT_UNUSED;
+}
+
+// What the descriptions of a subpass of both versions have.
+struct subpass_parts {
+    uint32_t color_count, input_count;
+    struct references colors, resolves, inputs, depth;
+    VkImageLayout depth_layout;
+};
+
+// Set a subpass whose inputs have room at *inputs, which goes on behind them.
+static void set_subpass(struct vulkan_subpass *to, const struct subpass_parts *from, uint32_t **inputs)
+{
+    to->color_count =
+        from->color_count < RHW_MAX_COLOR_ATTACHMENTS ? from->color_count : RHW_MAX_COLOR_ATTACHMENTS;
+    for (uint32_t i = 0; i < to->color_count; i++) {
+        to->colors[i] = number_at(from->colors, i);
+        to->resolves[i] = number_at(from->resolves, i);
+    }
+    to->input_count = from->input_count;
+    to->inputs = *inputs;
+    for (uint32_t i = 0; i < to->input_count; i++) {
+        *(*inputs)++ = number_at(from->inputs, i);
+    }
+    to->depth = number_at(from->depth, 0);
+    to->depth_layout = to->stencil_layout = from->depth_layout;
+    to->depth_resolve = VK_ATTACHMENT_UNUSED;
+}
 
 static void set_attachment(struct vulkan_attachment *to, const VkAttachmentDescription *from)
 {
@@ -80,29 +126,17 @@ static void set_attachment(struct vulkan_attachment *to, const VkAttachmentDescr
     };
 }
 
-static void set_subpass(struct vulkan_subpass *to, const VkSubpassDescription *from)
-{
-    const VkAttachmentReference *const depth = from->pDepthStencilAttachment;
-    to->color_count = at_most(from->colorAttachmentCount, RHW_MAX_COLOR_ATTACHMENTS);
-    to->input_count = at_most(from->inputAttachmentCount, VULKAN_MAX_INPUTS);
-    for (uint32_t i = 0; i < to->color_count; i++) {
-        to->colors[i] = from->pColorAttachments[i].attachment;
-        to->resolves[i] =
-            from->pResolveAttachments ? from->pResolveAttachments[i].attachment : VK_ATTACHMENT_UNUSED;
-    }
-    for (uint32_t i = 0; i < to->input_count; i++) {
-        to->inputs[i] = from->pInputAttachments[i].attachment;
-    }
-    to->depth = depth ? depth->attachment : VK_ATTACHMENT_UNUSED;
-    to->depth_layout = depth ? depth->layout : VK_IMAGE_LAYOUT_UNDEFINED;
-    to->stencil_layout = to->depth_layout;
-    to->depth_resolve = VK_ATTACHMENT_UNUSED;
-}
+// Render passes of Vulkan 1.0 -------------------------------------------------------------------------
 
 VKAPI_ATTR VkResult VKAPI_CALL vkCreateRenderPass(VkDevice device, const VkRenderPassCreateInfo *info,
                                                   const VkAllocationCallbacks *callbacks, VkRenderPass *pass)
 {
-    const VkRenderPass made = make_pass(device, callbacks, info->attachmentCount, info->subpassCount);
+    size_t input_count = 0;
+    for (uint32_t i = 0; i < info->subpassCount; i++) {
+        input_count += info->pSubpasses[i].inputAttachmentCount;
+    }
+    const VkRenderPass made =
+        make_pass(device, callbacks, info->attachmentCount, info->subpassCount, input_count);
     *pass = made;
     if (!made) {
         return VK_ERROR_OUT_OF_HOST_MEMORY;
@@ -110,17 +144,27 @@ VKAPI_ATTR VkResult VKAPI_CALL vkCreateRenderPass(VkDevice device, const VkRende
     for (uint32_t i = 0; i < info->attachmentCount; i++) {
         set_attachment(&made->attachments[i], &info->pAttachments[i]);
     }
+    uint32_t *inputs = first_input(made);
     for (uint32_t i = 0; i < info->subpassCount; i++) {
-        set_subpass(&made->subpasses[i], &info->pSubpasses[i]);
+        const VkSubpassDescription *const from = &info->pSubpasses[i];
+        const VkAttachmentReference *const depth = from->pDepthStencilAttachment;
+        set_subpass(&made->subpasses[i],
+                    &(struct subpass_parts){
+                        .color_count = from->colorAttachmentCount,
+                        .input_count = from->inputAttachmentCount,
+                        .colors = references_of(from->pColorAttachments),
+                        .resolves = references_of(from->pResolveAttachments),
+                        .inputs = references_of(from->pInputAttachments),
+                        .depth = references_of(depth),
+                        .depth_layout = depth ? depth->layout : VK_IMAGE_LAYOUT_UNDEFINED,
+                    },
+                    &inputs);
         note_uses(made, &made->subpasses[i]);
     }
-    for (const VkBaseInStructure *one = info->pNext; one; one = one->pNext) {
-        if (one->sType == VK_STRUCTURE_TYPE_RENDER_PASS_MULTIVIEW_CREATE_INFO) {
-            const VkRenderPassMultiviewCreateInfo *const views = (const VkRenderPassMultiviewCreateInfo *)one;
-            for (uint32_t i = 0; i < views->subpassCount; i++) {
-                made->subpasses[i].view_mask = views->pViewMasks[i];
-            }
-        }
+    const VkRenderPassMultiviewCreateInfo *const views =
+        vulkan_chain_find(info->pNext, VK_STRUCTURE_TYPE_RENDER_PASS_MULTIVIEW_CREATE_INFO);
+    for (uint32_t i = 0; views && i < views->subpassCount && i < made->subpass_count; i++) {
+        made->subpasses[i].view_mask = views->pViewMasks[i];
     }
     return VK_SUCCESS;
 }
@@ -141,65 +185,47 @@ VKAPI_ATTR void VKAPI_CALL vkGetRenderAreaGranularity(VkDevice device, VkRenderP
 
 // Render passes of VK_KHR_create_renderpass2 ----------------------------------------------------------
 
-static const void *find(const void *chain, VkStructureType type)
-{
-    for (const VkBaseInStructure *one = chain; one; one = one->pNext) {
-        if (one->sType == type) {
-            return one;
-        }
-    }
-    return NULL;
-}
-
 static void set_attachment2(struct vulkan_attachment *to, const VkAttachmentDescription2 *from)
 {
-    *to = (struct vulkan_attachment){
-        .format = from->format,
-        .samples = (uint32_t)from->samples,
-        .load = from->loadOp,
-        .stencil_load = from->stencilLoadOp,
-        .store = from->storeOp,
-        .stencil_store = from->stencilStoreOp,
-        .is_undefined = from->initialLayout == VK_IMAGE_LAYOUT_UNDEFINED,
-    };
+    // Behind its header the newer struct has the members of the older one.
+    VkAttachmentDescription older;
+    memcpy(&older, (const char *)from + offsetof(VkAttachmentDescription2, flags), sizeof older);
+    set_attachment(to, &older);
 }
 
-static void set_depth2(struct vulkan_subpass *to, const VkSubpassDescription2 *from)
+static void set_subpass2(struct vulkan_subpass *to, const VkSubpassDescription2 *from, uint32_t **inputs)
 {
     const VkAttachmentReference2 *const depth = from->pDepthStencilAttachment;
+    set_subpass(to,
+                &(struct subpass_parts){
+                    .color_count = from->colorAttachmentCount,
+                    .input_count = from->inputAttachmentCount,
+                    .colors = references2_of(from->pColorAttachments),
+                    .resolves = references2_of(from->pResolveAttachments),
+                    .inputs = references2_of(from->pInputAttachments),
+                    .depth = references2_of(depth),
+                    .depth_layout = depth ? depth->layout : VK_IMAGE_LAYOUT_UNDEFINED,
+                },
+                inputs);
+    to->view_mask = from->viewMask;
     const VkSubpassDescriptionDepthStencilResolve *const resolve =
-        find(from->pNext, VK_STRUCTURE_TYPE_SUBPASS_DESCRIPTION_DEPTH_STENCIL_RESOLVE);
-    to->depth = depth ? depth->attachment : VK_ATTACHMENT_UNUSED;
-    to->depth_layout = depth ? depth->layout : VK_IMAGE_LAYOUT_UNDEFINED;
-    to->stencil_layout = to->depth_layout;
-    to->depth_resolve = VK_ATTACHMENT_UNUSED;
-    if (resolve && resolve->pDepthStencilResolveAttachment) {
-        to->depth_resolve = resolve->pDepthStencilResolveAttachment->attachment;
+        vulkan_chain_find(from->pNext, VK_STRUCTURE_TYPE_SUBPASS_DESCRIPTION_DEPTH_STENCIL_RESOLVE);
+    if (resolve) {
+        to->depth_resolve = number_at(references2_of(resolve->pDepthStencilResolveAttachment), 0);
         to->depth_resolve_mode = resolve->depthResolveMode;
         to->stencil_resolve_mode = resolve->stencilResolveMode;
     }
 }
 
-static void set_subpass2(struct vulkan_subpass *to, const VkSubpassDescription2 *from)
-{
-    to->color_count = at_most(from->colorAttachmentCount, RHW_MAX_COLOR_ATTACHMENTS);
-    to->input_count = at_most(from->inputAttachmentCount, VULKAN_MAX_INPUTS);
-    for (uint32_t i = 0; i < to->color_count; i++) {
-        to->colors[i] = from->pColorAttachments[i].attachment;
-        to->resolves[i] =
-            from->pResolveAttachments ? from->pResolveAttachments[i].attachment : VK_ATTACHMENT_UNUSED;
-    }
-    for (uint32_t i = 0; i < to->input_count; i++) {
-        to->inputs[i] = from->pInputAttachments[i].attachment;
-    }
-    set_depth2(to, from);
-    to->view_mask = from->viewMask;
-}
-
 VKAPI_ATTR VkResult VKAPI_CALL vkCreateRenderPass2(VkDevice device, const VkRenderPassCreateInfo2 *info,
                                                    const VkAllocationCallbacks *callbacks, VkRenderPass *pass)
 {
-    const VkRenderPass made = make_pass(device, callbacks, info->attachmentCount, info->subpassCount);
+    size_t input_count = 0;
+    for (uint32_t i = 0; i < info->subpassCount; i++) {
+        input_count += info->pSubpasses[i].inputAttachmentCount;
+    }
+    const VkRenderPass made =
+        make_pass(device, callbacks, info->attachmentCount, info->subpassCount, input_count);
     *pass = made;
     if (!made) {
         return VK_ERROR_OUT_OF_HOST_MEMORY;
@@ -207,8 +233,9 @@ VKAPI_ATTR VkResult VKAPI_CALL vkCreateRenderPass2(VkDevice device, const VkRend
     for (uint32_t i = 0; i < info->attachmentCount; i++) {
         set_attachment2(&made->attachments[i], &info->pAttachments[i]);
     }
+    uint32_t *inputs = first_input(made);
     for (uint32_t i = 0; i < info->subpassCount; i++) {
-        set_subpass2(&made->subpasses[i], &info->pSubpasses[i]);
+        set_subpass2(&made->subpasses[i], &info->pSubpasses[i], &inputs);
         note_uses(made, &made->subpasses[i]);
     }
     return VK_SUCCESS;

@@ -6,11 +6,6 @@
 
 #include "device/device.h"
 
-enum {
-    VULKAN_MAX_INPUTS = RHW_MAX_COLOR_ATTACHMENTS,
-    VULKAN_MAX_ATTACHMENTS = 64 ///< attachments of a render pass
-};
-
 struct vulkan_attachment {
     VkFormat format;
     uint32_t samples;
@@ -24,8 +19,8 @@ struct vulkan_subpass {
     uint32_t color_count, input_count;
     uint32_t colors[RHW_MAX_COLOR_ATTACHMENTS];   ///< numbers of attachments, or VK_ATTACHMENT_UNUSED
     uint32_t resolves[RHW_MAX_COLOR_ATTACHMENTS]; ///< numbers of attachments, or VK_ATTACHMENT_UNUSED
-    uint32_t inputs[VULKAN_MAX_INPUTS];
-    uint32_t depth, depth_resolve; ///< number of the attachment, or VK_ATTACHMENT_UNUSED
+    const uint32_t *inputs;                       ///< numbers of attachments, or VK_ATTACHMENT_UNUSED
+    uint32_t depth, depth_resolve;                ///< number of the attachment, or VK_ATTACHMENT_UNUSED
     VkImageLayout depth_layout, stencil_layout;
     VkResolveModeFlagBits depth_resolve_mode, stencil_resolve_mode;
     uint32_t view_mask; ///< 0 without multiview

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "device/chain.h"
 #include "pass/render_pass.h"
 #include "pipeline_state.h"
 #include "shader_module.h"
@@ -35,12 +36,9 @@ static uint32_t find_views(const VkGraphicsPipelineCreateInfo *info)
     if (info->renderPass) {
         return info->renderPass->subpasses[info->subpass].view_mask;
     }
-    for (const VkBaseInStructure *next = info->pNext; next; next = next->pNext) {
-        if (next->sType == VK_STRUCTURE_TYPE_PIPELINE_RENDERING_CREATE_INFO) {
-            return ((const VkPipelineRenderingCreateInfo *)(const void *)next)->viewMask;
-        }
-    }
-    return 0;
+    const VkPipelineRenderingCreateInfo *const rendering =
+        vulkan_chain_find(info->pNext, VK_STRUCTURE_TYPE_PIPELINE_RENDERING_CREATE_INFO);
+    return rendering ? rendering->viewMask : 0;
 }
 
 // Return how many variants shaders need.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "pipeline_state.h"
+#include "device/chain.h"
 #include "pass/render_pass.h"
 #include "pipeline_enums.h"
 #include "resource/format.h"
@@ -143,10 +144,9 @@ static struct rhw_stencil_face stencil_face(const VkStencilOpState *given)
 
 // Tests of what the attachment does not have pass.
 static void fill_depth_stencil(VkPipeline pipeline, const VkPipelineDepthStencilStateCreateInfo *given,
-                               VkFormat format)
+                               VkImageAspectFlags aspects)
 {
     struct rhw_pipeline_def *const def = &pipeline->def;
-    const VkImageAspectFlags aspects = format == VK_FORMAT_UNDEFINED ? 0 : vulkan_format_aspects(format);
     const bool has_depth = aspects & VK_IMAGE_ASPECT_DEPTH_BIT;
     def->depth_test = given->depthTestEnable && has_depth;
     def->depth_compare = vulkan_compare(given->depthCompareOp);
@@ -183,6 +183,17 @@ static void fill_blend(struct rhw_color_target *target, const VkPipelineColorBle
     }
 }
 
+static bool is_second(enum rhw_blend_factor factor)
+{
+    return factor >= RHW_BLEND_SRC1 && factor <= RHW_BLEND_ONE_MINUS_SRC1_ALPHA;
+}
+
+static bool reads_second(const struct rhw_color_target *target)
+{
+    return target->blend && (is_second(target->color.src) || is_second(target->color.dst) ||
+                             is_second(target->alpha.src) || is_second(target->alpha.dst));
+}
+
 // Attachments that are left out at the end do not count, as in passes.
 static void fill_targets(VkPipeline pipeline, const VkPipelineColorBlendStateCreateInfo *given,
                          const VkFormat *formats, uint32_t count)
@@ -201,6 +212,12 @@ static void fill_targets(VkPipeline pipeline, const VkPipelineColorBlendStateCre
         }
         def->target_count = (int)i + 1;
     }
+    if (reads_second(&def->targets[0])) {
+        // Shaders with a second source write no other target (Vulkan 1.3, maxFragmentDualSrcAttachments).
+        for (int i = 1; i < def->target_count; i++) {
+            def->targets[i].write_mask = RHW_WRITE_NONE;
+        }
+    }
     if (given) {
         def->logic = given->logicOpEnable ? vulkan_logic(given->logicOp) : RHW_LOGIC_OFF;
         for (int i = 0; i < 4; i++) {
@@ -209,28 +226,33 @@ static void fill_targets(VkPipeline pipeline, const VkPipelineColorBlendStateCre
     }
 }
 
-// Return the formats of the subpass, or those of dynamic rendering. Set *depth to that of depth and stencil.
-static uint32_t find_formats(const VkGraphicsPipelineCreateInfo *info, VkFormat *colors, VkFormat *depth)
+static VkImageAspectFlags aspects_of(VkFormat format)
+{
+    return format == VK_FORMAT_UNDEFINED ? 0 : vulkan_format_aspects(format);
+}
+
+// Return the formats of the subpass, or those of dynamic rendering. Set *aspects to what there is of depth and stencil.
+static uint32_t find_formats(const VkGraphicsPipelineCreateInfo *info, VkFormat *colors,
+                             VkImageAspectFlags *aspects)
 {
     uint32_t count = 0;
-    *depth = VK_FORMAT_UNDEFINED;
+    *aspects = 0;
     if (info->renderPass) {
         const struct vulkan_subpass *const subpass = &info->renderPass->subpasses[info->subpass];
         for (; count < subpass->color_count; count++) {
             colors[count] = vulkan_render_pass_format(info->renderPass, subpass->colors[count]);
         }
-        *depth = vulkan_render_pass_format(info->renderPass, subpass->depth);
+        *aspects = aspects_of(vulkan_render_pass_format(info->renderPass, subpass->depth));
         return count;
     }
-    for (const VkBaseInStructure *next = info->pNext; next; next = next->pNext) {
-        if (next->sType == VK_STRUCTURE_TYPE_PIPELINE_RENDERING_CREATE_INFO) {
-            const VkPipelineRenderingCreateInfo *const rendering = (const void *)next;
-            for (; count < rendering->colorAttachmentCount && count < RHW_MAX_COLOR_ATTACHMENTS; count++) {
-                colors[count] = rendering->pColorAttachmentFormats[count];
-            }
-            *depth = rendering->depthAttachmentFormat ? rendering->depthAttachmentFormat
-                                                      : rendering->stencilAttachmentFormat;
+    const VkPipelineRenderingCreateInfo *const rendering =
+        vulkan_chain_find(info->pNext, VK_STRUCTURE_TYPE_PIPELINE_RENDERING_CREATE_INFO);
+    if (rendering) {
+        for (; count < rendering->colorAttachmentCount && count < RHW_MAX_COLOR_ATTACHMENTS; count++) {
+            colors[count] = rendering->pColorAttachmentFormats[count];
         }
+        *aspects = (aspects_of(rendering->depthAttachmentFormat) & VK_IMAGE_ASPECT_DEPTH_BIT) |
+                   (aspects_of(rendering->stencilAttachmentFormat) & VK_IMAGE_ASPECT_STENCIL_BIT);
     }
     return count;
 }
@@ -238,8 +260,9 @@ static uint32_t find_formats(const VkGraphicsPipelineCreateInfo *info, VkFormat 
 void vulkan_pipeline_state_fill(VkPipeline pipeline, const VkGraphicsPipelineCreateInfo *info,
                                 const struct rhw_shader_info *inputs)
 {
-    VkFormat colors[RHW_MAX_COLOR_ATTACHMENTS], depth;
-    const uint32_t color_count = find_formats(info, colors, &depth);
+    VkFormat colors[RHW_MAX_COLOR_ATTACHMENTS];
+    VkImageAspectFlags aspects;
+    const uint32_t color_count = find_formats(info, colors, &aspects);
     for (uint32_t i = 0; info->pDynamicState && i < info->pDynamicState->dynamicStateCount; i++) {
         pipeline->dynamic |= vulkan_dynamic_of(info->pDynamicState->pDynamicStates[i]);
     }
@@ -258,8 +281,8 @@ void vulkan_pipeline_state_fill(VkPipeline pipeline, const VkGraphicsPipelineCre
     if (is_drawn && info->pMultisampleState) {
         fill_multisampling(pipeline, info->pMultisampleState);
     }
-    if (is_drawn && depth != VK_FORMAT_UNDEFINED && info->pDepthStencilState) {
-        fill_depth_stencil(pipeline, info->pDepthStencilState, depth);
+    if (is_drawn && aspects != 0 && info->pDepthStencilState) {
+        fill_depth_stencil(pipeline, info->pDepthStencilState, aspects);
     }
     fill_targets(pipeline, is_drawn ? info->pColorBlendState : NULL, colors, color_count);
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "device/chain.h"
 #include "fence.h"
 
 VKAPI_ATTR VkResult VKAPI_CALL vkCreateSemaphore(VkDevice device, const VkSemaphoreCreateInfo *info,
@@ -9,12 +10,11 @@ VKAPI_ATTR VkResult VKAPI_CALL vkCreateSemaphore(VkDevice device, const VkSemaph
     if (!*semaphore) {
         return VK_ERROR_OUT_OF_HOST_MEMORY;
     }
-    for (const VkBaseInStructure *one = info->pNext; one; one = one->pNext) {
-        if (one->sType == VK_STRUCTURE_TYPE_SEMAPHORE_TYPE_CREATE_INFO) {
-            const VkSemaphoreTypeCreateInfo *const type = (const VkSemaphoreTypeCreateInfo *)one;
-            (*semaphore)->is_timeline = type->semaphoreType == VK_SEMAPHORE_TYPE_TIMELINE;
-            (*semaphore)->value = type->initialValue;
-        }
+    const VkSemaphoreTypeCreateInfo *const type =
+        vulkan_chain_find(info->pNext, VK_STRUCTURE_TYPE_SEMAPHORE_TYPE_CREATE_INFO);
+    if (type) {
+        (*semaphore)->is_timeline = type->semaphoreType == VK_SEMAPHORE_TYPE_TIMELINE;
+        (*semaphore)->value = type->initialValue;
     }
     return VK_SUCCESS;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What the program submits is copied before any of it is put into the queue, so that a submission that fails has done
 // nothing. The queue's thread frees it, which may not call the program's allocator.
+#include "device/chain.h"
 #include "submission.h"
 
 #include <stdlib.h>
@@ -16,12 +17,8 @@ static struct vulkan_submission *make_submission(const VkSubmitInfo *info)
         return NULL;
     }
     struct vulkan_point *const point = (struct vulkan_point *)(submission + 1);
-    const VkTimelineSemaphoreSubmitInfo *values = NULL;
-    for (const VkBaseInStructure *one = info->pNext; one; one = one->pNext) {
-        if (one->sType == VK_STRUCTURE_TYPE_TIMELINE_SEMAPHORE_SUBMIT_INFO) {
-            values = (const VkTimelineSemaphoreSubmitInfo *)one;
-        }
-    }
+    const VkTimelineSemaphoreSubmitInfo *const values =
+        vulkan_chain_find(info->pNext, VK_STRUCTURE_TYPE_TIMELINE_SEMAPHORE_SUBMIT_INFO);
     for (uint32_t i = 0; i < info->waitSemaphoreCount; i++) {
         const bool has_value = values && i < values->waitSemaphoreValueCount;
         point[i] =
