@@ -138,4 +138,12 @@ SMD
 run info stands.smd
 check "z is up" grep -q '^up:        z, by its format$' "$folder/log/out"
 
+# A binary FBX ends with a mark.
+head -c -1 "$root/tests/fuzz/seeds/bone.fbx" >cut.fbx
+run info cut.fbx
+check "an FBX without its mark is read" test $status = 0
+check "and told" grep -q '^  has no mark at its end: it may be cut$' "$folder/log/out"
+run info "$root/tests/fuzz/seeds/bone.fbx"
+grep -q "no mark" "$folder/log/out" && fail "a whole FBX is told to be cut"
+
 finish

@@ -192,6 +192,29 @@ static void test_layers(void **state)
     scene_model_free(model);
 }
 
+// Of textures above each other two are drawn, where they stand in the same place: a third, and one that stands elsewhere,
+// hide what is at the bottom.
+static void test_stack(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *pids, *places;
+        bool is_told;
+    } cases[] = {{"4 6", "0 0", false}, {"4 6", "0 1", true}, {"4 6 4", "0 0 0", true}};
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        char properties[256];
+        snprintf(properties, sizeof properties,
+                 "<m:multiproperties id=\"8\" pids=\"%s\"><m:multi pindices=\"%s\"/></m:multiproperties>",
+                 cases[i].pids, cases[i].places);
+        write_textured(properties, "<triangle v1=\"0\" v2=\"1\" v3=\"2\" pid=\"8\" p1=\"0\"/>");
+        struct scene_model *model = load("x.3mf");
+        assert_int_equal(model->unsupported_count, cases[i].is_told);
+        assert_true(is_unsupported(model, "textures above others (3MF): those at the bottom are left out") ==
+                    cases[i].is_told);
+        scene_model_free(model);
+    }
+}
+
 // A texture over each of 80 colours: the first 64 get an image of their own, the others show the texture alone.
 static void test_many_colors_below(void **state)
 {
@@ -635,6 +658,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_metal_and_composites),
     cmocka_unit_test(test_texture),
     cmocka_unit_test(test_layers),
+    cmocka_unit_test(test_stack),
     cmocka_unit_test(test_multiplied),
     cmocka_unit_test(test_decal),
     cmocka_unit_test(test_missing_texture),
