@@ -219,6 +219,22 @@ static void set_layers(struct scene_import *import, const struct scene_phong *ph
     layers->used = layers->clearcoat > 0 || layers->anisotropy > 0 || phong->sheen > 0;
 }
 
+// Tell of highlights that should be coloured: those that are drawn are white, unless the surface is a metal. Where the
+// file says how metallic it is, its highlights follow from that.
+static void tell_highlights(struct scene_import *import, const struct scene_phong *phong)
+{
+    const float least = 1.0f / 32; // less cannot be seen, and may be what rounding left
+    float low = 1, high = 0;
+    for (int c = 0; c < 3; c++) {
+        const float value = limited(phong->specular[c], 0, 1);
+        low = value < low ? value : low;
+        high = value > high ? value : high;
+    }
+    if (high - low >= least && phong->metallic < 0 && !phong->dull && !phong->unlit) {
+        scene_import_unsupported(import, "coloured highlights: drawn white");
+    }
+}
+
 static void set_opacity(struct scene_import *import, const struct scene_phong *phong,
                         struct scene_material *material)
 {
@@ -242,6 +258,7 @@ uint32_t scene_phong_add(struct scene_import *import, const struct scene_phong *
     import->sides_are_open = true;
     set_base_color(phong, material);
     set_surface(phong, material);
+    tell_highlights(import, phong);
     set_slot(import, &phong->color, &material->slots[SCENE_SLOT_BASE_COLOR]);
     set_opacity(import, phong, material);
     set_opacity_map(import, phong, material);

@@ -266,6 +266,7 @@ static void test_told(void **state)
         {"decal rough.tga\n", "decal textures"},
         {"Kd spectral curve.rfl\n", "colours as \"spectral\""},
         {"d -halo 0.5\n", "d -halo"},
+        {"Ks 1 0.9 0.5\n", "coloured highlights: drawn white"},
         {"Tf 1 0.5 0.5\n", "colours of transmitted light (Tf)"},
         {"map_Kd -mm 0.25 1 rough.tga\n", "-mm of textures (MTL)"},
         {"map_Kd -t 0.5 rough.tga\n", "-t of textures (MTL)"},
@@ -287,11 +288,19 @@ static void test_told(void **state)
         scene_model_free(model);
     }
     struct scene_model *model = load_material(
-        "Ka 1 1 1\nNi 1.5\nillum 2\nsharpness 60\nTf 1 1 1\nmap_aat on\n"
+        "Ka 1 1 1\nKs 0.5 0.51 0.5\nNi 1.5\nillum 2\nsharpness 60\nTf 1 1 1\nmap_aat on\n"
         "map_Kd -mm 0 1 -t 0 0 0 -cc off -blendv on -texres 512 -clamp on -colorspace srgb rough.tga\n"
         "map_Ka rough.tga\nmap_Pr -imfchan g -colorspace linear rough.tga\nbump -imfchan l rough.tga\n");
     assert_int_equal(model->unsupported_count, 0);
     scene_model_free(model);
+    static const char *const without_highlights[] = {"illum 1\n", "illum 0\n", "Pm 1\n"};
+    for (size_t i = 0; i < sizeof without_highlights / sizeof without_highlights[0]; i++) {
+        char text[64];
+        snprintf(text, sizeof text, "Ks 1 0.9 0.5\n%s", without_highlights[i]);
+        model = load_material(text);
+        assert_int_equal(model->unsupported_count, 0);
+        scene_model_free(model);
+    }
     static const char *const numbers[][2] = {
         {"Kd red\n", "\"Kd red\" (MTL) is no number: left out"},
         {"Ns\n", "\"Ns \" (MTL) is no number: left out"},
