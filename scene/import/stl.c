@@ -233,7 +233,7 @@ static bool is_unpainted_meshmixer(const unsigned char *bytes, size_t facets)
     return is_unpainted && has_white;
 }
 
-static struct palette find_palette(const unsigned char *bytes, size_t facets)
+static struct palette find_palette(struct scene_import *import, const unsigned char *bytes, size_t facets)
 {
     // Facets without a colour take the colour of a model that has none.
     struct palette palette = {.valid = 0x8000, .common = {0.6f, 0.6f, 0.6f, 1}};
@@ -244,8 +244,13 @@ static struct palette find_palette(const unsigned char *bytes, size_t facets)
     if (!palette.begins_with_red) {
         take_head(&palette, bytes, facets);
     }
+    bool has_words = false;
     for (size_t i = 0; i < facets && !palette.colored; i++) {
         palette.colored = (read_word(bytes, i) & 0x8000) != 0;
+        has_words = has_words || read_word(bytes, i) != 0;
+    }
+    if (has_words && !palette.colored) {
+        scene_import_unsupported(import, "attributes of facets that are no colours (STL): not drawn");
     }
     return palette;
 }
@@ -288,7 +293,7 @@ static void read_binary(struct scene_import *import, const unsigned char *bytes,
                           HEADER);
     }
     const size_t count = count_facets(import, bytes, size);
-    const struct palette palette = find_palette(bytes, count);
+    const struct palette palette = find_palette(import, bytes, count);
     tell_of_head(import, bytes);
     struct solid solid = {.name = "", .corners = 3 * count};
     solid.floats = scene_import_allocate(import, solid.corners, sizeof *solid.floats);

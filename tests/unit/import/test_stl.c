@@ -113,6 +113,8 @@ static void test_no_colors(void **state)
     write_bytes("x.stl", bytes, make_binary(bytes, "", 2, 2, words));
     struct scene_model *model = load("x.stl");
     assert_null(model->meshes[0].colors);
+    assert_int_equal(model->unsupported_count, 1);
+    assert_true(is_unsupported(model, "attributes of facets that are no colours (STL): not drawn"));
     scene_model_free(model);
 }
 
