@@ -24,6 +24,7 @@ struct cloud {
     float *extras; // what follows each position, extra_count numbers
     size_t count, capacity, extra_capacity;
     int extra_count; // −1 until a point is read
+    bool has_more;   // a point has numbers after these
     double said;     // how many points the file says that it has; 0 if it says nothing
 };
 
@@ -71,6 +72,7 @@ static void add_point(struct cloud *cloud, const double *values, int count)
     if (count - 3 < cloud->extra_count) {
         refuse(cloud, "a point has fewer numbers than the first one");
     }
+    cloud->has_more = cloud->has_more || count - 3 > cloud->extra_count;
     if (cloud->count >= UINT32_MAX) {
         refuse(cloud, "has too many points");
     }
@@ -196,7 +198,7 @@ static void find_meaning(const struct cloud *cloud, struct scene_mesh *mesh)
     if (mesh->colors != NULL && column + 1 == cloud->extra_count && is_opaque(cloud, column)) {
         column++;
     }
-    if (has_intensity || column < cloud->extra_count) {
+    if (has_intensity || cloud->has_more || column < cloud->extra_count) {
         scene_import_unsupported(cloud->import,
                                  "numbers of points that are neither colours nor normals: not drawn");
     }

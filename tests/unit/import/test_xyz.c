@@ -30,6 +30,8 @@ static void test_columns(void **state)
         {"g.xyz", "1 2 3 -12\n4 5 6 -7\n", false, false, 1},
         {"h.pts", "2\n1 2 3 -1500 255 0 0\n4 5 6 -1000 0 0 255\n", true, false, 1},
         {"i.pts", "1\r\n1 2 3 255 0 0\r\n1\r\n4 5 6 0 0 255\r\n", true, false, 0},
+        {"k.xyz", "1 2 3 255 0 0\n4 5 6 0 0 255 7\n", true, false, 1},
+        {"l.xyz", "1 2 3 255 0 0 0.6 0 0.8 255 9\n4 5 6 0 0 255 0 0 -1 255 9\n", true, true, 1},
         {"j.xyz",
          "\xef\xbb\xbf"
          "1 2 3 1 0 0\n4 5 6 0 0 1",
