@@ -245,11 +245,45 @@ static void test_told(void **state)
     scene_model_free(model);
 }
 
+// Objects that are hidden, by either of two properties, or by one of a group above them. A group with nothing in it
+// hides nothing.
+static void test_hidden(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *properties, *connections;
+        bool is_told;
+    } cases[] = {
+        {"\t\t\tP: \"Visibility\", \"Visibility\", \"\", \"A\",1\n", "\tC: \"OO\",11,12\n", false},
+        {"\t\t\tP: \"Visibility\", \"Visibility\", \"\", \"A\",0\n", "\tC: \"OO\",11,12\n", true},
+        {"\t\t\tP: \"Show\", \"bool\", \"\", \"\",0\n", "\tC: \"OO\",11,12\n", true},
+        {"\t\t\tP: \"Show\", \"bool\", \"\", \"\",0\n", "\tC: \"OO\",11,0\n", false},
+        {"\t\t\tP: \"Hidden\", \"bool\", \"\", \"\",0\n", "\tC: \"OO\",11,12\n", false},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        write_format("hidden.fbx",
+                     "; FBX 7.4.0 project file\n"
+                     "FBXHeaderExtension:  {\n\tFBXVersion: 7400\n}\n"
+                     "Objects:  {\n"
+                     "\tGeometry: 10, \"Geometry::\", \"Mesh\" {\n"
+                     "\t\tVertices: *9 {\n\t\t\ta: 0,0,0,1,0,0,0,1,0\n\t\t}\n"
+                     "\t\tPolygonVertexIndex: *3 {\n\t\t\ta: 0,1,-3\n\t\t}\n\t}\n"
+                     "\tModel: 11, \"Model::mesh\", \"Mesh\" {\n\t\tVersion: 232\n\t}\n"
+                     "\tModel: 12, \"Model::group\", \"Null\" {\n\t\tVersion: 232\n"
+                     "\t\tProperties70:  {\n%s\t\t}\n\t}\n}\n"
+                     "Connections:  {\n\tC: \"OO\",12,0\n\tC: \"OO\",10,11\n%s}\n",
+                     cases[i].properties, cases[i].connections);
+        struct scene_model *const model = load("hidden.fbx");
+        assert_true(is_unsupported(model, "hidden objects: drawn") == cases[i].is_told);
+        assert_int_equal(model->unsupported_count, cases[i].is_told);
+        scene_model_free(model);
+    }
+}
+
 static const struct CMUnitTest tests[] = {
-    cmocka_unit_test(test_binary), cmocka_unit_test(test_order),
-    cmocka_unit_test(test_text),   cmocka_unit_test(test_first_material),
-    cmocka_unit_test(test_light),  cmocka_unit_test(test_opacity),
-    cmocka_unit_test(test_told),   cmocka_unit_test(test_moved_meshes),
+    cmocka_unit_test(test_binary),         cmocka_unit_test(test_order), cmocka_unit_test(test_text),
+    cmocka_unit_test(test_first_material), cmocka_unit_test(test_light), cmocka_unit_test(test_opacity),
+    cmocka_unit_test(test_hidden),         cmocka_unit_test(test_told),  cmocka_unit_test(test_moved_meshes),
 };
 
 const struct unit_tests test_fbx = UNIT_TESTS(tests, make_directory, remove_directory);
