@@ -84,8 +84,8 @@ static void look_at_bytes(struct hidden *hidden, const struct scene_fbx_bytes *f
         if (find_record(file, &in_model, (size_t)model.end, "Properties70", &list)) {
             size_t in_list = list.children;
             while (find_record(file, &in_list, (size_t)list.end, "P", &property)) {
-                is_hidden = is_hidden ||
-                            hides(string_of(file, &property, 0), is_zero(file, &property) ? 0 : 1);
+                is_hidden =
+                    is_hidden || hides(string_of(file, &property, 0), is_zero(file, &property) ? 0 : 1);
             }
         }
         if (is_hidden) {
@@ -154,13 +154,12 @@ static bool draws(const struct aiNode *node)
 static bool is_drawn(const struct aiNode *node, struct scene_word name)
 {
     static const char class[] = "Model::";
-    const size_t skipped = name.length >= strlen(class) && memcmp(name.start, class, strlen(class)) == 0
-                               ? strlen(class)
-                               : 0;
+    const size_t skipped =
+        name.length >= strlen(class) && memcmp(name.start, class, strlen(class)) == 0 ? strlen(class) : 0;
     const char *const zero = memchr(name.start, 0, name.length);
     const size_t length = (zero == NULL ? name.length : (size_t)(zero - name.start)) - skipped;
-    bool found = node->mName.length == length && memcmp(node->mName.data, name.start + skipped, length) == 0 &&
-                 draws(node);
+    bool found = node->mName.length == length &&
+                 memcmp(node->mName.data, name.start + skipped, length) == 0 && draws(node);
     for (unsigned i = 0; i < node->mNumChildren && !found; i++) {
         found = is_drawn(node->mChildren[i], name);
     }

@@ -174,6 +174,7 @@ void scene_import_gltf(struct scene_import *import)
     }
     check_version(&gltf);
     scene_gltf_check_extensions(&gltf);
+    scene_gltf_tell_misspelt(&gltf);
     import->model.format = "glTF 2.0";
     import->model.unit = "metre"; // glTF's unit of length (§3.4)
     gltf.buffers = scene_import_allocate(import, scene_gltf_count(&gltf, "buffers"), sizeof *gltf.buffers);

@@ -76,6 +76,8 @@ json_t *scene_gltf_extension(struct scene_gltf *gltf, const json_t *object, cons
 void scene_gltf_note_extensions(struct scene_gltf *gltf, const json_t *object);
 /// Fail the import if the file requires an extension that is not known. Tell of unknown extensions that it uses.
 void scene_gltf_check_extensions(struct scene_gltf *gltf);
+/// Tell of properties whose names are nearly those of glTF.
+void scene_gltf_tell_misspelt(struct scene_gltf *gltf);
 /// Return the name of an object as the model keeps it. Return "" if it has none.
 const char *scene_gltf_name(struct scene_gltf *gltf, const json_t *object);
 /// Return how many elements a top-level array has, or return one of them. An index that does not exist fails the

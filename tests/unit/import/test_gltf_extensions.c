@@ -661,6 +661,39 @@ static void test_layers(void **state)
     scene_model_free(model);
 }
 
+// A property of a name that is nearly glTF's is told, and none that is another's or stands beside the right one.
+static void test_misspelt(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *members, *told;
+    } cases[] = {
+        {"\"pbrMetallicRoughness\":{\"basecolorFactor\":[1,0,0,1]}",
+         "the property \"basecolorFactor\" (glTF), which should be \"baseColorFactor\": not used"},
+        {"\"pbrMetalicRoughness\":{}", "\"pbrMetalicRoughness\""},
+        {"\"alphamode\":\"BLEND\"", "\"alphamode\""},
+        {"\"doubelSided\":true", "\"doubelSided\""},
+        {"\"emissiveTexture\":{\"index\":0,\"texCord\":1}", "\"texCord\""},
+        {"\"normalTexture\":{\"index\":0,\"extensions\":{\"KHR_texture_transform\":{\"ofset\":[0,0]}}}",
+         "\"ofset\""},
+        {"\"extensions\":{\"KHR_materials_clearcoat\":{\"clearCoatFactor\":1}}", "\"clearCoatFactor\""},
+        {"\"extras\":{\"alphamode\":1,\"doubleSide\":true}", NULL},
+        {"\"alphaMode\":\"BLEND\",\"alphamode\":\"BLEND\"", NULL},
+        {"\"technique\":3,\"shading\":{\"alphamode\":1}", NULL},
+        {"\"extensions\":{\"KHR_materials_clearcoat\":{\"clearcoatFactor\":1},\"KHR_materials_ior\":{\"ior\":"
+         "2}}",
+         NULL},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        struct scene_model *model = load_material(cases[i].members);
+        if (model->unsupported_count != (cases[i].told != NULL) ||
+            (cases[i].told != NULL && !is_unsupported(model, cases[i].told))) {
+            fail_msg("%zu: %u lines", i, model->unsupported_count);
+        }
+        scene_model_free(model);
+    }
+}
+
 // What is not drawn is told: other scenes, morph targets of colours, and extensions that the file does not list, of a
 // primitive and of a texture.
 static void test_told(void **state)
@@ -701,6 +734,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_root_and_child),
     cmocka_unit_test(test_variants),
     cmocka_unit_test(test_layers),
+    cmocka_unit_test(test_misspelt),
     cmocka_unit_test(test_told),
 };
 
