@@ -35,8 +35,23 @@ static enum rhw_sampling choose_sampling(const struct rhw_pipeline_data *pipelin
                                                : pipeline->sampling;
 }
 
-static enum rhw_shading choose_shading(const struct rhw_pipeline_data *pipeline, enum rhw_phase phase,
-                                       int samples, enum rhw_paths paths)
+// Whether nobody sees that a draw has a fragment function: no target takes its colours, it drops and moves nothing, has
+// no effects, and is not counted. A shader of Vulkan may write a colour into a pass that keeps depth alone.
+static bool is_unseen(const struct rhw_pipeline_data *pipeline,
+                      const struct rhw_depth_stencil_state *depth_stencil)
+{
+    const struct rhw_pipeline_def *const def = &pipeline->def;
+    bool is_written = false;
+    for (int i = 0; i < def->target_count; i++) {
+        is_written |= def->targets[i].write_mask != 0;
+    }
+    return !is_written && !drops_late(def) && !(def->program.uses & RHW_USE_EFFECTS) &&
+           !depth_stencil->counts;
+}
+
+static enum rhw_shading choose_shading(const struct rhw_pipeline_data *pipeline,
+                                       const struct rhw_depth_stencil_state *depth_stencil,
+                                       enum rhw_phase phase, int samples, enum rhw_paths paths)
 {
     const uint32_t uses = pipeline->def.program.uses;
     // What groups can be filled with together.
@@ -44,7 +59,8 @@ static enum rhw_shading choose_shading(const struct rhw_pipeline_data *pipeline,
                               RHW_USE_EFFECTS | RHW_USE_LAYER | RHW_USE_TARGET_INPUT;
     const enum rhw_sampling sampling = choose_sampling(pipeline, samples);
     const bool per_sample = sampling == RHW_SAMPLING_SAMPLE;
-    if (!(pipeline->fragment || pipeline->def.program.fragment1) || phase == RHW_PHASE_DEPTH) {
+    const bool has_fragment = pipeline->fragment || pipeline->def.program.fragment1;
+    if (!has_fragment || phase == RHW_PHASE_DEPTH || is_unseen(pipeline, depth_stencil)) {
         return RHW_SHADING_NONE;
     }
     // What a fragment function sees of samples, and does to them, is kept by rows; and in other groups a pixel may be
@@ -215,7 +231,8 @@ static struct rhw_draw_plan plan_of(const struct rhw_pipeline_data *pipeline,
     // Programs that read targets are drawn by rows of blocks, which are filled together.
     paths = reads_targets ? RHW_PATHS_GENERAL : shading_paths;
     struct rhw_draw_plan plan = {.reads_targets = reads_targets,
-                                 .shading = choose_shading(pipeline, phase, samples, shading_paths),
+                                 .shading =
+                                     choose_shading(pipeline, depth_stencil, phase, samples, shading_paths),
                                  .sampling = choose_sampling(pipeline, samples),
                                  .weighs_alpha = weighs_alpha(pipeline),
                                  .masks_samples = masks_samples(&pipeline->def)};

@@ -227,6 +227,7 @@ static void test_the_largest_targets(void **state)
     rig.pass.depth = (struct rhw_depth_attachment){.enabled = true, .store = RHW_STORE_DISCARD, .clear = 1};
     rig.pipeline.depth_test = true;
     rig_set_program(&rig, rig_vertex_pass, count_only_fragment);
+    rig.pipeline.program.uses = RHW_USE_EFFECTS; // no target takes its colours
     rig_draw_once(&rig, lower_left, 3);
     int64_t total = 0;
     for (int64_t y = 0; y < RHW_MAX_TARGET_SIZE; y++) {

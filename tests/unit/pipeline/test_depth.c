@@ -427,6 +427,57 @@ static void test_depth_only_program(void **state)
     rig_close(&rig);
 }
 
+// Draw a layer whose colours no target takes. Return how many fragments were shaded, or how many a query counts.
+static uint64_t shaded_unseen(bool has_target, uint32_t uses, bool is_counted)
+{
+    struct rig rig;
+    rig_open(&rig, SIZE, SIZE);
+    rig_set_depth(&rig);
+    rig.pipeline.program.uses = uses;
+    rig.pipeline.targets[0].write_mask = RHW_WRITE_NONE;
+    if (!has_target) {
+        rig.pass.colors[0].texture = (rhw_texture){0};
+        rig.pass.color_count = rig.pipeline.target_count = 0;
+    }
+    rhw_query query = {0};
+    const struct rhw_query_def def = {.kind = RHW_QUERY_STATISTICS};
+    assert_int_equal(rhw_query_create(rig.context, &def, &query), RHW_OK);
+    rig_begin(&rig);
+    rig_use_pipeline(&rig);
+    if (is_counted) {
+        rhw_pass_begin_query(rig.context, rig.recording, query);
+    }
+    draw_layer(&rig, 0.375f, red);
+    if (is_counted) {
+        rhw_pass_end_query(rig.context, rig.recording, query);
+    }
+    rig_end(&rig);
+    const float *const depth = rig_read_depth(&rig);
+    for (int i = 0; i < SIZE * SIZE; i++) {
+        assert_true(depth[i] == 0.375f);
+    }
+    struct rhw_query_counts counts = {0};
+    if (is_counted) {
+        assert_int_equal(rhw_query_read(rig.context, query, &counts), RHW_OK);
+    }
+    rhw_query_destroy(rig.context, query);
+    const uint64_t shaded = rig.stats.fragments_shaded;
+    rig_close(&rig);
+    return is_counted ? counts.statistics.fragment_shader_invocations : shaded;
+}
+
+static void test_colours_that_no_target_takes_are_not_shaded(void **state)
+{
+    (void)state;
+    for (int has_target = 0; has_target < 2; has_target++) {
+        assert_int_equal(shaded_unseen(has_target, 0, false), 0);
+        assert_int_equal(shaded_unseen(has_target, RHW_USE_COORD, false), 0);
+        assert_int_equal(shaded_unseen(has_target, 0, true), SIZE * SIZE);
+        assert_int_equal(shaded_unseen(has_target, RHW_USE_DISCARD, false), SIZE * SIZE);
+        assert_int_equal(shaded_unseen(has_target, RHW_USE_EFFECTS, false), SIZE * SIZE);
+    }
+}
+
 // A prepass and a second draw of the same triangles with EQUAL must meet in every pixel.
 static void test_equal_after_a_prepass(void **state)
 {
@@ -479,6 +530,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_hidden_fragments_are_not_shaded),
     cmocka_unit_test(test_what_is_behind_shows_beside_a_small_triangle),
     cmocka_unit_test(test_depth_only_program),
+    cmocka_unit_test(test_colours_that_no_target_takes_are_not_shaded),
     cmocka_unit_test(test_equal_after_a_prepass),
 };
 
