@@ -54,7 +54,10 @@ void bench_program(struct rhw_program *program, enum bench_shader shader)
         }
     }
     const uint32_t attributes = bench_shader_attributes[shader];
-    if (attributes & 1 << BENCH_COLOR) {
+    for (int i = 0; i < BENCH_MANY && shader == BENCH_SHADER_MANY; i++) {
+        add_varying(program, 4, false);
+    }
+    if (attributes & 1 << BENCH_COLOR && shader != BENCH_SHADER_MANY) {
         add_color(program, shader);
     }
     if ((attributes & 1 << BENCH_NORMAL) && shader != BENCH_SHADER_VOLUME) {

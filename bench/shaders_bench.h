@@ -13,6 +13,7 @@ extern const uint32_t bench_shader_attributes[BENCH_SHADERS];
 // vec4s that a shader reads of the scene's shared uniforms, behind those of its draw.
 extern const uint32_t bench_shader_shared[BENCH_SHADERS];
 enum {
+    BENCH_MANY = 16, // varyings of BENCH_SHADER_MANY
     BENCH_SHARED_MAX = 2 * BENCH_LIGHTS,
     BENCH_UNIFORMS_MAX = sizeof(struct bench_uniforms) / sizeof(float) + 4 * BENCH_SHARED_MAX
 };

@@ -25,6 +25,20 @@ static void color_vertex(struct rhw_vertex *groups, int count)
     }
 }
 
+// Parts of the colour whose weights, 1/256, 3/256 and so on, have the sum of 1.
+static void many_vertex(struct rhw_vertex *groups, int count)
+{
+    for (int g = 0; g < count; g++) {
+        struct rhw_vertex *const v = &groups[g];
+        to_clip(v->uniforms, v->attribute[0], v->position);
+        for (int i = 0; i < BENCH_MANY; i++) {
+            for (int c = 0; c < 4; c++) {
+                v->varying[4 * i + c] = v->attribute[1][c] * (((float)i + 0.5f) / 128);
+            }
+        }
+    }
+}
+
 static void texture_vertex(struct rhw_vertex *groups, int count)
 {
     for (int g = 0; g < count; g++) {
@@ -185,6 +199,20 @@ static void move_fragment(struct rhw_fragment *groups, int count)
     }
 }
 
+static void many_fragment(struct rhw_fragment *groups, int count)
+{
+    for (int g = 0; g < count; g++) {
+        const rhw_float *const v = groups[g].varying;
+        for (int c = 0; c < 4; c++) {
+            rhw_float sum = v[c];
+            for (int i = 1; i < BENCH_MANY; i++) {
+                sum += v[4 * i + c];
+            }
+            groups[g].color[0][c] = sum;
+        }
+    }
+}
+
 static void input_fragment(struct rhw_fragment *groups, int count)
 {
     for (int g = 0; g < count; g++) {
@@ -322,6 +350,7 @@ const struct bench_shader_table RHW_ISA_NAME(bench_shader_table) = {
             [BENCH_SHADER_COORD_SLOPES] = color_vertex,
             [BENCH_SHADER_DISCARD] = color_vertex,
             [BENCH_SHADER_MOVE] = color_vertex,
+            [BENCH_SHADER_MANY] = many_vertex,
             [BENCH_SHADER_SAMPLE] = color_vertex,
             [BENCH_SHADER_INPUT] = color_vertex,
         },
@@ -343,6 +372,7 @@ const struct bench_shader_table RHW_ISA_NAME(bench_shader_table) = {
             [BENCH_SHADER_COORD_SLOPES] = coord_slopes_fragment,
             [BENCH_SHADER_DISCARD] = discard_fragment,
             [BENCH_SHADER_MOVE] = move_fragment,
+            [BENCH_SHADER_MANY] = many_fragment,
             [BENCH_SHADER_SAMPLE] = color_fragment,
             [BENCH_SHADER_INPUT] = input_fragment,
         },

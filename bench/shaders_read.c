@@ -33,6 +33,7 @@ const uint32_t bench_shader_attributes[BENCH_SHADERS] = {
     [BENCH_SHADER_COORD_SLOPES] = P | C,
     [BENCH_SHADER_DISCARD] = P | C,
     [BENCH_SHADER_MOVE] = P | C,
+    [BENCH_SHADER_MANY] = P | C,
     [BENCH_SHADER_SAMPLE] = P | C,
     [BENCH_SHADER_INPUT] = P | C,
     [BENCH_SHADER_SHADOWED] = P | N,
