@@ -37,7 +37,7 @@ static uint32_t add_offset(struct shader_builder *builder, uint32_t offset, uint
     return offset == SHADER_NO_VALUE ? more : shader_emit(builder, SHADER_IADD, offset, more, 0);
 }
 
-// Step `index` times `bytes` on in memory.
+// Step `index` times `bytes` on in memory. An index that is constant and of no element is left to when the shader runs.
 static void step_bytes(struct shader_builder *builder, struct shader_place *place, uint32_t index,
                        uint32_t bytes)
 {
@@ -45,12 +45,10 @@ static void step_bytes(struct shader_builder *builder, struct shader_place *plac
     if (bytes == 0) {
         shader_build_refuse(builder, "the array or matrix has no stride");
     }
-    if (shader_is_number(builder, index, &number)) {
-        const uint64_t offset = place->bytes + (uint64_t)number * bytes;
-        if (offset > INT32_MAX) {
-            shader_build_refuse(builder, "element %u lies beyond %d bytes", (unsigned)number, INT32_MAX);
-        }
-        place->bytes = (uint32_t)offset;
+    if (shader_is_number(builder, index, &number) &&
+        (place->type->kind == SHADER_RUNTIME_ARRAY || number < place->type->count) &&
+        place->bytes + (uint64_t)number * bytes <= INT32_MAX) {
+        place->bytes += number * bytes;
         return;
     }
     const uint32_t more = shader_emit(builder, SHADER_IMUL, index, shader_number(builder, bytes), 0);
@@ -75,20 +73,8 @@ static uint32_t stride_of(struct shader_place *place)
     }
 }
 
-static void refuse_element(const struct shader_builder *builder, const struct shader_type *type,
-                           uint32_t number)
-{
-    if (number >= type->count) {
-        shader_build_refuse(builder, "there is no element %u of %u", (unsigned)number, (unsigned)type->count);
-    }
-}
-
 static void step_in_memory(struct shader_builder *builder, struct shader_place *place, uint32_t index)
 {
-    uint32_t number;
-    if (place->type->kind != SHADER_RUNTIME_ARRAY && shader_is_number(builder, index, &number)) {
-        refuse_element(builder, place->type, number);
-    }
     const uint32_t stride = shader_is_packed(place)
                                 ? 4 * (uint32_t)shader_packed_scalars(place->type->element)
                                 : stride_of(place);
@@ -101,8 +87,7 @@ static void step_in_scalars(struct shader_builder *builder, struct shader_place 
 {
     const struct shader_type *const type = place->type;
     uint32_t number;
-    if (shader_is_number(builder, index, &number)) {
-        refuse_element(builder, type, number);
+    if (shader_is_number(builder, index, &number) && number < type->count) {
         place->first += number * type->element->scalars;
         return;
     }
@@ -151,6 +136,26 @@ void shader_step(struct shader_builder *builder, struct shader_place *place, uin
 
 // Chains ---------------------------------------------------------------------------------------------
 
+// An index that the module itself names has to be that of an element. One that is only found to be constant may be
+// computed where it is not used.
+static void check_named(const struct shader_builder *builder, const struct shader_place *place, uint32_t id)
+{
+    const struct shader_type *const type = place->type;
+    const uint16_t opcode = builder->module->ids[id].opcode;
+    if (opcode < SPIRV_OP_ConstantTrue || opcode > SPIRV_OP_SpecConstantOp) {
+        return;
+    }
+    const uint32_t number = builder->module->ids[id].data.as_constant->scalars[0];
+    const bool has_count =
+        type->kind == SHADER_ARRAY || type->kind == SHADER_VECTOR || type->kind == SHADER_MATRIX;
+    if (has_count && number >= type->count) {
+        shader_build_refuse(builder, "there is no element %u of %u", (unsigned)number, (unsigned)type->count);
+    }
+    if (type->kind == SHADER_RUNTIME_ARRAY && (uint64_t)number * type->stride > INT32_MAX) {
+        shader_build_refuse(builder, "element %u lies beyond %d bytes", (unsigned)number, INT32_MAX);
+    }
+}
+
 static void step_by_id(struct shader_builder *builder, struct shader_place *place, uint32_t id)
 {
     const uint32_t index = shader_scalars(builder, id)[0];
@@ -163,6 +168,7 @@ static void step_by_id(struct shader_builder *builder, struct shader_place *plac
         place->type = place->type->element;
         return;
     }
+    check_named(builder, place, id);
     shader_step(builder, place, index);
 }
 

@@ -5,8 +5,6 @@
 // nothing is to be done; where it comes to the label of a construct further out, lanes leave that construct.
 #include "build_flow.h"
 
-static void build_from(struct shader_builder *builder, uint32_t label, uint32_t stop);
-
 // Labels and constructs ------------------------------------------------------------------------------
 
 static struct shader_construct *find_construct(struct shader_builder *builder, uint32_t label)
@@ -102,17 +100,17 @@ static void build_if(struct shader_builder *builder, uint32_t condition, uint32_
     uint32_t bits;
     enter(builder);
     if (shader_is_number(builder, condition, &bits)) {
-        build_from(builder, bits ? if_true : if_false, stop);
+        shader_build_from(builder, bits ? if_true : if_false, stop);
         builder->nesting--;
         return;
     }
     const size_t mark = builder->facts.log_count;
     flow(builder, SHADER_IF, condition);
-    build_from(builder, if_true, stop);
+    shader_build_from(builder, if_true, stop);
     shader_rewind_facts(builder, mark);
     flow(builder, SHADER_ELSE, 0);
     builder->block = block;
-    build_from(builder, if_false, stop);
+    shader_build_from(builder, if_false, stop);
     flow(builder, SHADER_END_IF, 0);
     shader_forget_since(builder, mark);
     builder->nesting--;
@@ -164,8 +162,7 @@ static void build_return(struct shader_builder *builder, bool has_value)
 
 // Blocks ---------------------------------------------------------------------------------------------
 
-// Translate a block up to its end. Return the word of the instruction that ends it.
-static uint32_t build_block(struct shader_builder *builder, uint32_t label, uint32_t *merge, uint32_t *next)
+uint32_t shader_build_block(struct shader_builder *builder, uint32_t label, uint32_t *merge, uint32_t *next)
 {
     const struct shader_module *const module = builder->module;
     const struct shader_function *const function = builder->frame->function;
@@ -208,8 +205,7 @@ static uint32_t build_block(struct shader_builder *builder, uint32_t label, uint
     shader_build_refuse(builder, "the function ends within block %u", (unsigned)label);
 }
 
-// Translate what a block ends with. Return the label at which control flow goes on in the same construct, or 0.
-static uint32_t build_end(struct shader_builder *builder, uint32_t merge, uint32_t stop)
+uint32_t shader_build_end(struct shader_builder *builder, uint32_t merge, uint32_t stop)
 {
     const uint32_t opcode = shader_words(builder)[0] & 0xffff;
     switch (opcode) {
@@ -227,61 +223,6 @@ static uint32_t build_end(struct shader_builder *builder, uint32_t merge, uint32
     case SPIRV_OP_Unreachable: return 0;
     default: shader_build_refuse(builder, "the instruction is not supported here");
     }
-}
-
-// Translate a loop. Its header comes first in every round, then the rest up to the continue target, which lanes may
-// come to early, then what stands between that and the branch back.
-static void build_loop(struct shader_builder *builder, uint32_t header, uint32_t merge, uint32_t next)
-{
-    enter(builder);
-    shader_forget_all(builder);
-    const size_t mark = builder->facts.log_count;
-    const uint32_t loop = begin(builder, SHADER_LOOP);
-    struct shader_construct left = {.merge = merge, .region = loop, .outer = builder->constructs};
-    builder->constructs = &left;
-    uint32_t unused[2];
-    if (next == header) {
-        (void)build_block(builder, header, &unused[0], &unused[1]);
-        const uint32_t label = build_end(builder, 0, header);
-        if (label != 0) {
-            build_from(builder, label, header);
-        }
-    } else {
-        const uint32_t round = begin(builder, SHADER_REGION);
-        struct shader_construct continued = {.merge = next, .region = round, .outer = &left};
-        builder->constructs = &continued;
-        (void)build_block(builder, header, &unused[0], &unused[1]);
-        const uint32_t label = build_end(builder, 0, next);
-        if (label != 0) {
-            build_from(builder, label, next);
-        }
-        builder->constructs = &left;
-        flow(builder, SHADER_END_REGION, 0);
-        shader_forget_since(builder, mark);
-        shader_go_on_from(builder, next, header);
-    }
-    builder->constructs = left.outer;
-    flow(builder, SHADER_END_LOOP, 0);
-    shader_forget_since(builder, mark);
-    builder->nesting--;
-}
-
-// Return the merge block of the loop that a block begins, or 0.
-static uint32_t loop_merge(const struct shader_builder *builder, uint32_t label, uint32_t *next)
-{
-    const struct shader_module *const module = builder->module;
-    uint32_t word = label < module->bound ? builder->label_words[label] : 0;
-    for (; word != 0 && word < module->word_count; word += module->words[word] >> 16) {
-        const uint32_t opcode = module->words[word] & 0xffff;
-        if (opcode == SPIRV_OP_LoopMerge) {
-            *next = module->words[word + 2];
-            return module->words[word + 1];
-        }
-        if (opcode >= SPIRV_OP_Branch && opcode <= SPIRV_OP_Unreachable) {
-            break;
-        }
-    }
-    return 0;
 }
 
 bool shader_comes_to(struct shader_builder *builder, uint32_t label, uint32_t stop)
@@ -316,26 +257,25 @@ void shader_go_on_from(struct shader_builder *builder, uint32_t label, uint32_t 
 {
     for (;;) {
         uint32_t merge, next;
-        const uint32_t behind_loop = loop_merge(builder, label, &next);
+        const uint32_t behind_loop = shader_loop_merge(builder, label, &next);
         if (behind_loop != 0) {
-            build_loop(builder, label, behind_loop, next);
+            shader_build_loop(builder, label, behind_loop, next);
             label = behind_loop;
             if (label == stop) {
                 return;
             }
             continue;
         }
-        builder->word = build_block(builder, label, &merge, &next);
+        builder->word = shader_build_block(builder, label, &merge, &next);
         const bool branches = (shader_words(builder)[0] & 0xffff) == SPIRV_OP_Branch;
-        label = build_end(builder, merge, stop);
+        label = shader_build_end(builder, merge, stop);
         if (label == 0 || (branches ? !goes_to(builder, label, stop) : label == stop)) {
             return;
         }
     }
 }
 
-// Translate from a label on, to which control flow goes from the block under way.
-static void build_from(struct shader_builder *builder, uint32_t label, uint32_t stop)
+void shader_build_from(struct shader_builder *builder, uint32_t label, uint32_t stop)
 {
     if (goes_to(builder, label, stop)) {
         shader_go_on_from(builder, label, stop);

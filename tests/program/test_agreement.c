@@ -214,12 +214,12 @@ static struct bench_agreement against_translated(const char *name, enum bench_tr
 static void check_same_bytes(enum bench_translation translation)
 {
     static const char *const names[] = {
-        "fill_flat",         "fill_literal",       "fill_color",         "fill_blend",
-        "fill_tex",          "fill_aniso",         "sphere_10k",         "sphere_82k_flat",
-        "sphere_1m_tex",     "shadow_volumes",     "shadow_map",         "reflection",
-        "deferred",          "particles",          "transmission",       "cliffs_coord_slopes_fill",
-        "cliffs_coord_mesh", "cliffs_slopes_mesh", "cliffs_screen_mesh", "cliffs_discard_mesh",
-        "cliffs_move_fill",  "cliffs_sample4_fill"};
+        "fill_flat",         "fill_literal",        "fill_color",         "fill_blend",
+        "fill_tex",          "fill_aniso",          "sphere_10k",         "sphere_82k_flat",
+        "sphere_1m_tex",     "shadow_volumes",      "shadow_map",         "reflection",
+        "deferred",          "particles",           "transmission",       "cliffs_coord_slopes_fill",
+        "cliffs_coord_mesh", "cliffs_slopes_mesh",  "cliffs_screen_mesh", "cliffs_discard_mesh",
+        "cliffs_move_fill",  "cliffs_sample4_fill", "cliffs_many_mesh"};
     for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
         if (!against_translated(names[i], translation).is_equal) {
             fail_msg("%s is not equal", names[i]);
