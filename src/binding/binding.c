@@ -7,12 +7,19 @@
 #include "resource/texture.h"
 #include "swizzle.h"
 
+// Return true if samples lie along the axis of anisotropy. Texels of formats that are not filtered have no mean.
+static bool is_anisotropic(const struct rhw_texture_data *texture, const struct rhw_sampler_data *sampler)
+{
+    return sampler->def.max_anisotropy > 1 && rhw_format_has_role(texture->info, RHW_ROLE_FILTERED);
+}
+
 static void sample_swizzled(const struct rhw_binding_data *binding, const struct rhw_sample_request *request,
                             rhw_float texel[4])
 {
     const struct rhw_kernels *const kernels = binding->kernels;
-    rhw_sample_function *const own_offset =
-        binding->sampler->def.max_anisotropy > 1 ? kernels->sample_anisotropic : kernels->sample_general;
+    rhw_sample_function *const own_offset = is_anisotropic(binding->texture, binding->sampler)
+                                                ? kernels->sample_anisotropic
+                                                : kernels->sample_general;
     (request->offset ? own_offset : binding->own)(binding, request, texel);
     rhw_swizzle_texel(binding->texture, texel);
 }
@@ -45,7 +52,7 @@ struct rhw_binding_data rhw_binding_of(const struct rhw_kernels *kernels, enum r
     const bool special = paths != RHW_PATHS_GENERAL;
     const bool fixed =
         texture && texture->is_plain && sampler->filters_fixed && texture->info->path != RHW_TEXELS_GENERAL;
-    const bool anisotropic = texture && sampler->def.max_anisotropy > 1;
+    const bool anisotropic = texture && is_anisotropic(texture, sampler);
     struct rhw_binding_data binding = {.sample = kernels->sample_float,
                                        .sample_offset = kernels->sample_general,
                                        .texture = texture,

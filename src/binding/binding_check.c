@@ -17,13 +17,13 @@ bool rhw_binding_check_texture(const struct rhw_context *context, rhw_texture id
                      rhw_name_of(&context->textures, id.index).text, texture->info->name);
 }
 
-// Return true if a sampler gives texels as they are.
+// Return true if a sampler gives texels as they are. Anisotropy only weighs what is filtered.
 static bool takes_texels(const struct rhw_texture_data *texture, const struct rhw_sampler_data *sampler)
 {
     const struct rhw_sampler_def *const def = &sampler->def;
     return def->min_filter == RHW_FILTER_NEAREST && def->mag_filter == RHW_FILTER_NEAREST &&
            (def->mip_filter != RHW_MIP_FILTER_LINEAR || texture->levels == 1) && !def->compares &&
-           def->max_anisotropy <= 1 && def->reduction == RHW_REDUCTION_AVERAGE;
+           def->reduction == RHW_REDUCTION_AVERAGE;
 }
 
 // Return true if the sampler does to the texels what their format allows. Formats that cannot be filtered need a
@@ -53,8 +53,8 @@ bool rhw_binding_check_sampler(const rhw_context *context, rhw_texture id, rhw_s
     const struct rhw_texture_data *const texture = rhw_context_texture(context, id, where);
     const struct rhw_texture_shape *const shape = &texture->shape;
     return rhw_check(context, filters_fit(texture, sampler),
-                     "%s: %s is %s, which is not filtered; %s must have nearest filters, and no comparison, "
-                     "anisotropy or reduction",
+                     "%s: %s is %s, which is not filtered; %s must have nearest filters, and no comparison "
+                     "or reduction",
                      where, rhw_name_of(&context->textures, id.index).text, texture->info->name,
                      rhw_name_of(&context->samplers, sampler_id.index).text) &&
            rhw_check(context, coordinates_fit(texture, sampler),
