@@ -102,9 +102,5 @@ void vulkan_rows_changed(struct vulkan_replay *replay, VkImage image, const VkIm
         .height = (int)up_to_end(height, offset.y, level.height),
         .depth = (int)units.depth,
     };
-    const struct vulkan_rows rows = vulkan_rows_of(image, part, offset);
-    vulkan_replay_check(replay,
-                        rhw_texture_write_region(replay->context, texture, &region, rows.first,
-                                                 rows.row_pitch, rows.slice_pitch),
-                        "copy");
+    vulkan_replay_check(replay, vulkan_image_decode(replay->queue, image, &region), "copy");
 }

@@ -125,7 +125,7 @@ static bool is_supported(const VkPhysicalDeviceImageFormatInfo2 *info, VkFormatF
            info->tiling <= VK_IMAGE_TILING_LINEAR && (info->type == VK_IMAGE_TYPE_2D || !is_flat);
 }
 
-static VkResult image_properties(const VkPhysicalDeviceImageFormatInfo2 *info,
+VkResult vulkan_image_properties(const VkPhysicalDeviceImageFormatInfo2 *info,
                                  VkImageFormatProperties *properties)
 {
     const VkFormatProperties format = vulkan_format_properties(info->format);
@@ -158,7 +158,7 @@ VKAPI_ATTR VkResult VKAPI_CALL vkGetPhysicalDeviceImageFormatProperties(
     (void)device;
     const VkPhysicalDeviceImageFormatInfo2 info = {
         .format = format, .type = type, .tiling = tiling, .usage = usage, .flags = flags};
-    return image_properties(&info, properties);
+    return vulkan_image_properties(&info, properties);
 }
 
 VKAPI_ATTR VkResult VKAPI_CALL vkGetPhysicalDeviceImageFormatProperties2(
@@ -172,7 +172,7 @@ VKAPI_ATTR VkResult VKAPI_CALL vkGetPhysicalDeviceImageFormatProperties2(
         properties->imageFormatProperties = (VkImageFormatProperties){0};
         return VK_ERROR_FORMAT_NOT_SUPPORTED;
     }
-    return image_properties(info, &properties->imageFormatProperties);
+    return vulkan_image_properties(info, &properties->imageFormatProperties);
 }
 
 VKAPI_ATTR void VKAPI_CALL vkGetPhysicalDeviceSparseImageFormatProperties(

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "image.h"
 
+#include "device/formats.h"
 #include "src/driver.h"
 #include "format.h"
 #include "memory.h"
@@ -101,6 +102,24 @@ static bool lay_out(VkImage image)
     return is_plain || texels * (image->levels > 1 ? 2 : 1) <= INT32_MAX;
 }
 
+static bool is_within_limits(const VkImageCreateInfo *info)
+{
+    const VkPhysicalDeviceImageFormatInfo2 format = {.format = info->format,
+                                                     .type = info->imageType,
+                                                     .tiling = info->tiling,
+                                                     .usage = info->usage,
+                                                     .flags = info->flags};
+    const VkExtent3D *const extent = &info->extent;
+    const uint32_t flat = extent->width > extent->height ? extent->width : extent->height;
+    const uint32_t most = flat > extent->depth ? flat : extent->depth;
+    VkImageFormatProperties limits;
+    return vulkan_image_properties(&format, &limits) == VK_SUCCESS &&
+           extent->width - 1 < limits.maxExtent.width && extent->height - 1 < limits.maxExtent.height &&
+           extent->depth - 1 < limits.maxExtent.depth && info->mipLevels - 1 < limits.maxMipLevels &&
+           most >> (info->mipLevels - 1) > 0 && info->arrayLayers - 1 < limits.maxArrayLayers &&
+           info->samples & limits.sampleCounts;
+}
+
 VKAPI_ATTR VkResult VKAPI_CALL vkCreateImage(VkDevice device, const VkImageCreateInfo *info,
                                              const VkAllocationCallbacks *callbacks, VkImage *image)
 {
@@ -125,7 +144,7 @@ VKAPI_ATTR VkResult VKAPI_CALL vkCreateImage(VkDevice device, const VkImageCreat
         .tiling = info->tiling,
         .usage = info->usage,
     };
-    if (!lay_out(made)) {
+    if (!is_within_limits(info) || !lay_out(made)) {
         vulkan_device_free(device, callbacks, made);
         return VK_ERROR_OUT_OF_DEVICE_MEMORY;
     }
@@ -138,6 +157,7 @@ VKAPI_ATTR void VKAPI_CALL vkDestroyImage(VkDevice device, VkImage image,
 {
     if (image) {
         vulkan_retire_texture(&device->queue, image->texture);
+        vulkan_retire_texture(&device->queue, image->twin);
         vulkan_device_free(device, callbacks, image);
     }
 }
@@ -214,6 +234,80 @@ VkResult vulkan_image_texture(VkQueue queue, VkImage image, rhw_texture *texture
     }
     *texture = image->texture;
     return VK_SUCCESS;
+}
+
+// Compressed images with two signs -------------------------------------------------------------------
+
+// Return true if two formats read the same blocks, one of them with a sign.
+static bool are_twins(enum rhw_format a, enum rhw_format b)
+{
+    static const enum rhw_format twins[][2] = {{RHW_FORMAT_BC4_UNORM, RHW_FORMAT_BC4_SNORM},
+                                               {RHW_FORMAT_BC5_UNORM, RHW_FORMAT_BC5_SNORM},
+                                               {RHW_FORMAT_BC6H_UFLOAT, RHW_FORMAT_BC6H_SFLOAT},
+                                               {RHW_FORMAT_EAC_R11_UNORM, RHW_FORMAT_EAC_R11_SNORM},
+                                               {RHW_FORMAT_EAC_RG11_UNORM, RHW_FORMAT_EAC_RG11_SNORM}};
+    bool are = false;
+    for (size_t i = 0; i < sizeof twins / sizeof *twins; i++) {
+        are = are || (a == twins[i][0] && b == twins[i][1]) || (a == twins[i][1] && b == twins[i][0]);
+    }
+    return are;
+}
+
+static enum rhw_result decode(VkQueue queue, VkImage image, rhw_texture texture,
+                              const struct rhw_texture_region *region)
+{
+    const uint32_t level = (uint32_t)region->level;
+    const size_t row = vulkan_image_block_row(image, level), slice = vulkan_image_block_slice(image, level);
+    const size_t column = (size_t)(region->x / rhw_format_block_width(image->format));
+    const size_t first = vulkan_image_blocks(image, level) + (size_t)region->z * slice +
+                         (size_t)(region->y / rhw_format_block_height(image->format)) * row +
+                         column * rhw_format_block_bytes(image->format);
+    return rhw_texture_write_region(queue->context, texture, region, image->bytes + first, row, slice);
+}
+
+enum rhw_result vulkan_image_decode(VkQueue queue, VkImage image, const struct rhw_texture_region *region)
+{
+    rhw_texture texture;
+    if (vulkan_image_texture(queue, image, &texture) != VK_SUCCESS) {
+        return RHW_ERROR_OUT_OF_MEMORY;
+    }
+    const enum rhw_result result = decode(queue, image, texture, region);
+    return result == RHW_OK && image->twin.context != 0 ? decode(queue, image, image->twin, region) : result;
+}
+
+// Make the twin, and decode all blocks to it.
+static enum rhw_result make_twin(VkQueue queue, VkImage image, enum rhw_format format)
+{
+    struct rhw_texture_def def = definition(image);
+    def.format = format;
+    def.memory = NULL;
+    def.memory_size = 0;
+    def.memory_is_told = false;
+    enum rhw_result result = rhw_texture_create(queue->context, &def, &image->twin);
+    for (uint32_t level = 0; result == RHW_OK && level < image->levels; level++) {
+        const VkExtent3D extent = vulkan_image_extent(image, level);
+        const struct rhw_texture_region all = {.level = (int)level,
+                                               .width = (int)extent.width,
+                                               .height = (int)extent.height,
+                                               .depth = (int)image->layers};
+        result = decode(queue, image, image->twin, &all);
+    }
+    if (result != RHW_OK && image->twin.context != 0) {
+        rhw_texture_destroy(queue->context, image->twin);
+        image->twin = (rhw_texture){0};
+    }
+    return result;
+}
+
+enum rhw_result vulkan_image_texture_as(VkQueue queue, VkImage image, enum rhw_format format,
+                                        rhw_texture *texture)
+{
+    if (!are_twins(image->format, format)) {
+        return vulkan_image_texture(queue, image, texture) == VK_SUCCESS ? RHW_OK : RHW_ERROR_OUT_OF_MEMORY;
+    }
+    const enum rhw_result result = image->twin.context == 0 ? make_twin(queue, image, format) : RHW_OK;
+    *texture = image->twin;
+    return result;
 }
 
 // No image is sparse.

@@ -92,11 +92,11 @@ static enum rhw_swizzle swizzle_of(VkComponentSwizzle swizzle)
     return (unsigned)swizzle < sizeof swizzles / sizeof *swizzles ? swizzles[swizzle] : RHW_SWIZZLE_IDENTITY;
 }
 
-// Make the view for shaders, if it is not there. Return false if memory is lost.
-static bool make_view(VkQueue queue, VkImageView view)
+// Make the view for shaders, if it is not there.
+static enum rhw_result make_view(VkQueue queue, VkImageView view)
 {
     if (view->view.context != 0) {
-        return true;
+        return RHW_OK;
     }
     struct rhw_texture_view_def def = {
         .format = view->format,
@@ -108,16 +108,19 @@ static bool make_view(VkQueue queue, VkImageView view)
         .swizzle = {swizzle_of(view->components.r), swizzle_of(view->components.g),
                     swizzle_of(view->components.b), swizzle_of(view->components.a)},
     };
-    return vulkan_image_texture(queue, view->image, &def.texture) == VK_SUCCESS &&
-           rhw_texture_view_create(queue->context, &def, &view->view) == RHW_OK;
+    const enum rhw_result result = vulkan_image_texture_as(queue, view->image, view->format, &def.texture);
+    return result == RHW_OK ? rhw_texture_view_create(queue->context, &def, &view->view) : result;
 }
 
 const struct rhw_binding *vulkan_image_view_texture(VkQueue queue, VkImageView view)
 {
     if (!view->has_texture) {
         const rhw_sampler none = {0};
-        view->has_texture = make_view(queue, view) && rhw_binding_of_texture(queue->context, view->view, none,
-                                                                             &view->texture) == RHW_OK;
+        enum rhw_result result = make_view(queue, view);
+        if (result == RHW_OK) {
+            result = rhw_binding_of_texture(queue->context, view->view, none, &view->texture);
+        }
+        view->has_texture = result == RHW_OK || result == RHW_ERROR_MISUSE;
     }
     return view->has_texture ? &view->texture : NULL;
 }
@@ -125,8 +128,11 @@ const struct rhw_binding *vulkan_image_view_texture(VkQueue queue, VkImageView v
 const struct rhw_binding *vulkan_image_view_storage(VkQueue queue, VkImageView view)
 {
     if (!view->has_storage) {
-        view->has_storage = make_view(queue, view) && rhw_binding_of_image(queue->context, view->view, 0,
-                                                                           false, &view->storage) == RHW_OK;
+        enum rhw_result result = make_view(queue, view);
+        if (result == RHW_OK) {
+            result = rhw_binding_of_image(queue->context, view->view, 0, false, &view->storage);
+        }
+        view->has_storage = result == RHW_OK || result == RHW_ERROR_MISUSE;
     }
     return view->has_storage ? &view->storage : NULL;
 }
@@ -157,8 +163,10 @@ VkResult vulkan_image_view_target(VkQueue queue, VkImageView view, rhw_texture *
             .layer = (int)view->range.baseArrayLayer,
             .layers = (int)view->range.layerCount,
         };
-        if (rhw_texture_view_create(queue->context, &def, &view->target) != RHW_OK) {
-            return VK_ERROR_DEVICE_LOST;
+        const enum rhw_result made = rhw_texture_view_create(queue->context, &def, &view->target);
+        if (made != RHW_OK) {
+            *target = (rhw_texture){0};
+            return made == RHW_ERROR_MISUSE ? VK_SUCCESS : VK_ERROR_DEVICE_LOST;
         }
     }
     *target = view->target;

@@ -22,14 +22,15 @@ struct VkImageView_T {
 };
 
 // Return the binding of a view for sampled images, for combined ones by way of rhw_binding_of_pair, and for input
-// attachments. The queue's thread calls this. Return NULL if memory is lost.
+// attachments. It is empty where librhw refuses the view. The queue's thread calls this. Return NULL if memory is lost.
 const struct rhw_binding *vulkan_image_view_texture(VkQueue queue, VkImageView view);
 
-// Return the binding of a view for storage images. The queue's thread calls this. Return NULL if memory is lost.
+// Return the binding of a view for storage images. It is empty where librhw refuses the view. The queue's thread calls
+// this. Return NULL if memory is lost.
 const struct rhw_binding *vulkan_image_view_storage(VkQueue queue, VkImageView view);
 
 // Set *target to a texture that has the level and the layers, or slices, of the view and no other, for attachments. The
-// queue's thread calls this.
+// queue's thread calls this. Where librhw refuses the view, *target is the null id, and the result VK_SUCCESS.
 VkResult vulkan_image_view_target(VkQueue queue, VkImageView view, rhw_texture *target);
 
 #endif

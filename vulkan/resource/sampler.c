@@ -99,17 +99,17 @@ VKAPI_ATTR void VKAPI_CALL vkDestroySampler(VkDevice device, VkSampler sampler,
 
 const struct rhw_binding *vulkan_sampler_binding(VkQueue queue, VkSampler sampler)
 {
-    if (sampler->sampler.context == 0) {
-        if (rhw_sampler_create(queue->context, &sampler->def, &sampler->sampler) != RHW_OK) {
-            return NULL;
+    if (!sampler->has_binding) {
+        enum rhw_result result = RHW_OK;
+        if (sampler->sampler.context == 0) {
+            result = rhw_sampler_create(queue->context, &sampler->def, &sampler->sampler);
         }
-        if (rhw_binding_of_sampler(queue->context, sampler->sampler, &sampler->binding) != RHW_OK) {
-            rhw_sampler_destroy(queue->context, sampler->sampler);
-            sampler->sampler = (rhw_sampler){0};
-            return NULL;
+        if (result == RHW_OK) {
+            result = rhw_binding_of_sampler(queue->context, sampler->sampler, &sampler->binding);
         }
+        sampler->has_binding = result == RHW_OK || result == RHW_ERROR_MISUSE;
     }
-    return &sampler->binding;
+    return sampler->has_binding ? &sampler->binding : NULL;
 }
 
 // Formats with several planes are not there, so nothing converts from them.

@@ -11,9 +11,11 @@ struct VkSampler_T {
     // The queue's thread has these.
     rhw_sampler sampler; ///< null id until a command needs it
     struct rhw_binding binding;
+    bool has_binding;
 };
 
-// Return the binding of a sampler. The queue's thread calls this. Return NULL if memory is lost.
+// Return the binding of a sampler. It is empty where librhw refuses the sampler. The queue's thread calls this. Return
+// NULL if memory is lost.
 const struct rhw_binding *vulkan_sampler_binding(VkQueue queue, VkSampler sampler);
 
 // Return rhw_compare of VkCompareOp.

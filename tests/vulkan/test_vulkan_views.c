@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+// Views in formats of their own, and samplers, as shaders see them.
+#include <stdlib.h>
+#include <string.h>
+
+#include "quad_vert.h"
+#include "viewed_frag.h"
+#include "viewed_uint_frag.h"
+#include "vulkan_picture.h"
+
+enum { SIDE = 4 }; // texels of an image
+
+// A picture that samples a view at its middle.
+struct viewing {
+    struct rig rig;
+    struct picture picture;
+    struct picture_state state;
+    VkDescriptorSet set;
+    VkPipeline pipeline;
+};
+
+static void begin_viewing(struct viewing *v, const uint32_t *fragment, size_t size)
+{
+    static const VkDescriptorSetLayoutBinding binding = {0, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 1,
+                                                         VK_SHADER_STAGE_FRAGMENT_BIT, NULL};
+    rig_open(&v->rig);
+    picture_init(&v->picture, &v->rig, false, VK_SAMPLE_COUNT_1_BIT);
+    VkDescriptorSetLayout layout = rig_set_layout(&v->rig, &binding, 1);
+    v->set = rig_set(&v->rig, layout);
+    picture_state(&v->state, &v->picture, rig_shader(&v->rig, quad_vert, sizeof quad_vert),
+                  rig_shader(&v->rig, fragment, size), rig_layout(&v->rig, &layout, 1, 36));
+    v->pipeline = picture_pipeline(&v->picture, &v->state, v->picture.pass, 0);
+}
+
+// Return an image whose views may have other formats.
+static VkImage make_image(struct rig *rig, VkFormat format)
+{
+    const VkImageCreateInfo info = {.sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO,
+                                    .flags = VK_IMAGE_CREATE_MUTABLE_FORMAT_BIT,
+                                    .imageType = VK_IMAGE_TYPE_2D,
+                                    .format = format,
+                                    .extent = {SIDE, SIDE, 1},
+                                    .mipLevels = 1,
+                                    .arrayLayers = 1,
+                                    .samples = VK_SAMPLE_COUNT_1_BIT,
+                                    .usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT};
+    VkImage image;
+    VkMemoryRequirements needs;
+    CHECK(vkCreateImage(rig->device, &info, NULL, &image));
+    vkGetImageMemoryRequirements(rig->device, image, &needs);
+    const VkMemoryAllocateInfo allocation = {.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO,
+                                             .allocationSize = needs.size};
+    VkDeviceMemory memory;
+    CHECK(vkAllocateMemory(rig->device, &allocation, NULL, &memory));
+    RIG_KEEP(rig, DEVICE_MEMORY, memory);
+    RIG_KEEP(rig, IMAGE, image);
+    CHECK(vkBindImageMemory(rig->device, image, memory, 0));
+    return image;
+}
+
+// Bind a view of an image with a sampler of nearest texels.
+static void bind_view(struct viewing *v, VkImage image, VkFormat format, float anisotropy)
+{
+    struct rig *const rig = &v->rig;
+    const VkImageViewCreateInfo info = {
+        .sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO,
+        .image = image,
+        .viewType = VK_IMAGE_VIEW_TYPE_2D,
+        .format = format,
+        .subresourceRange = {
+            .aspectMask = VK_IMAGE_ASPECT_COLOR_BIT, .levelCount = 1, .layerCount = 1}};
+    const VkSamplerCreateInfo sampler_info = {.sType = VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO,
+                                              .magFilter = VK_FILTER_NEAREST,
+                                              .minFilter = VK_FILTER_NEAREST,
+                                              .anisotropyEnable = anisotropy > 1,
+                                              .maxAnisotropy = anisotropy};
+    VkImageView view;
+    VkSampler sampler;
+    CHECK(vkCreateImageView(rig->device, &info, NULL, &view));
+    RIG_KEEP(rig, IMAGE_VIEW, view);
+    CHECK(vkCreateSampler(rig->device, &sampler_info, NULL, &sampler));
+    RIG_KEEP(rig, SAMPLER, sampler);
+    rig_bind_image(rig, v->set, 0, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, view, sampler,
+                   VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
+}
+
+// Write all texels or blocks of an image, draw, and return the colour.
+static uint32_t draw_view(struct viewing *v, VkImage image, const void *bytes, size_t size)
+{
+    struct rig *const rig = &v->rig;
+    const struct rig_image whole = {.image = image, .width = SIDE, .height = SIDE, .layers = 1};
+    const struct rig_buffer buffer = rig_buffer(rig, size, bytes);
+    const VkBufferImageCopy copy = {
+        .imageSubresource = {.aspectMask = VK_IMAGE_ASPECT_COLOR_BIT, .layerCount = 1},
+        .imageExtent = {SIDE, SIDE, 1}};
+    const float push[9] = {-1, -1, 1, 1, 0.5f, 0.5f};
+    rig_barrier(rig, &whole, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL);
+    vkCmdCopyBufferToImage(rig->commands, buffer.buffer, image, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1,
+                           &copy);
+    rig_barrier(rig, &whole, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
+    picture_begin(&v->picture);
+    vkCmdBindPipeline(rig->commands, VK_PIPELINE_BIND_POINT_GRAPHICS, v->pipeline);
+    vkCmdBindDescriptorSets(rig->commands, VK_PIPELINE_BIND_POINT_GRAPHICS, v->state.layout, 0, 1, &v->set, 0,
+                            NULL);
+    vkCmdPushConstants(rig->commands, v->state.layout, VK_SHADER_STAGE_ALL, 0, sizeof push, push);
+    vkCmdDraw(rig->commands, 6, 1, 0, 0);
+    picture_end(&v->picture);
+    return picture_texel(&v->picture, 30, 30);
+}
+
+static void blocks_are_read_with_either_sign(void **state)
+{
+    (void)state;
+    static const VkFormat formats[][2] = {{VK_FORMAT_BC4_UNORM_BLOCK, VK_FORMAT_BC4_SNORM_BLOCK},
+                                          {VK_FORMAT_BC4_SNORM_BLOCK, VK_FORMAT_BC4_UNORM_BLOCK}};
+    static const uint8_t blocks[2][8] = {{64, 64}, {32, 32}};
+    static const uint32_t reds[2][2] = {{129, 64}, {64, 32}}; // of 64 / 127 and 32 / 127, or of 255
+    for (int i = 0; i < 2; i++) {
+        struct viewing v;
+        begin_viewing(&v, viewed_frag, sizeof viewed_frag);
+        VkImage image = make_image(&v.rig, formats[i][0]);
+        bind_view(&v, image, formats[i][1], 1);
+        assert_int_equal(draw_view(&v, image, blocks[0], sizeof blocks[0]), reds[i][0] << 24 | 0xff);
+        assert_int_equal(draw_view(&v, image, blocks[1], sizeof blocks[1]), reds[i][1] << 24 | 0xff);
+        rig_close(&v.rig);
+    }
+}
+
+static void a_view_that_cannot_be_is_empty(void **state)
+{
+    (void)state;
+    if (getenv("RHW_TEST_VALIDATION")) {
+        skip(); // the layer tells the misuse
+    }
+    static const uint32_t texels[SIDE * SIDE] = {0};
+    struct viewing v;
+    begin_viewing(&v, viewed_frag, sizeof viewed_frag);
+    VkImage image = make_image(&v.rig, VK_FORMAT_R8G8B8A8_UNORM);
+    bind_view(&v, image, VK_FORMAT_R16G16B16A16_SFLOAT, 1);
+    draw_view(&v, image, texels, sizeof texels);
+    rig_close(&v.rig); // the device is not lost
+}
+
+static void nearest_integers_have_no_anisotropy(void **state)
+{
+    (void)state;
+    uint8_t texels[SIDE * SIDE];
+    memset(texels, 200, sizeof texels);
+    struct viewing v;
+    begin_viewing(&v, viewed_uint_frag, sizeof viewed_uint_frag);
+    VkImage image = make_image(&v.rig, VK_FORMAT_R8_UINT);
+    bind_view(&v, image, VK_FORMAT_R8_UINT, 8);
+    assert_int_equal(draw_view(&v, image, texels, sizeof texels), 0xc8c8c8ff);
+    rig_close(&v.rig);
+}
+
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(blocks_are_read_with_either_sign),
+    cmocka_unit_test(a_view_that_cannot_be_is_empty),
+    cmocka_unit_test(nearest_integers_have_no_anisotropy),
+};
+
+const struct unit_tests test_vulkan_views = UNIT_TESTS(tests, NULL, NULL);
