@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Descriptor sets: what shaders find in them, and how they are written.
+#include <stdlib.h>
 #include <string.h>
 
 #include "quad_vert.h"
@@ -210,10 +211,63 @@ static void a_pool_gives_what_it_promises(void **state)
     rig_close(&rig);
 }
 
+static void *VKAPI_CALL count_one(void *user, size_t size, size_t alignment, VkSystemAllocationScope scope)
+{
+    (void)scope;
+    ++*(int *)user;
+    void *memory = NULL;
+    return posix_memalign(&memory, alignment < 16 ? 16 : alignment, size) == 0 ? memory : NULL;
+}
+
+static void *VKAPI_CALL count_again(void *user, void *memory, size_t size, size_t alignment,
+                                    VkSystemAllocationScope scope)
+{
+    // The size of what there is is not known; the loader and the driver never ask.
+    return memory ? NULL : count_one(user, size, alignment, scope);
+}
+
+static void VKAPI_CALL count_off(void *user, void *memory)
+{
+    *(int *)user -= memory != NULL;
+    free(memory);
+}
+
+// A program may end its callbacks with the layouts that it created by them, while sets of the layouts go on.
+static void layouts_leave_nothing_to_their_callbacks(void **state)
+{
+    (void)state;
+    static const VkDescriptorSetLayoutBinding binding = {0, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 1,
+                                                         VK_SHADER_STAGE_COMPUTE_BIT, NULL};
+    struct rig rig;
+    int count = 0;
+    const VkAllocationCallbacks callbacks = {.pUserData = &count,
+                                             .pfnAllocation = count_one,
+                                             .pfnReallocation = count_again,
+                                             .pfnFree = count_off};
+    const VkDescriptorSetLayoutCreateInfo info = {.sType =
+                                                      VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO,
+                                                  .bindingCount = 1,
+                                                  .pBindings = &binding};
+    rig_open(&rig);
+    VkDescriptorSetLayout layout;
+    VkPipelineLayout pipeline_layout;
+    CHECK(vkCreateDescriptorSetLayout(rig.device, &info, &callbacks, &layout));
+    const VkPipelineLayoutCreateInfo pipeline_info = {
+        .sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO, .setLayoutCount = 1, .pSetLayouts = &layout};
+    CHECK(vkCreatePipelineLayout(rig.device, &pipeline_info, &callbacks, &pipeline_layout));
+    (void)rig_set(&rig, layout);
+    vkDestroyDescriptorSetLayout(rig.device, layout, &callbacks);
+    assert_int_equal(count, 0);
+    vkDestroyPipelineLayout(rig.device, pipeline_layout, &callbacks);
+    assert_int_equal(count, 0);
+    rig_close(&rig);
+}
+
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(images_are_sampled_with_their_samplers),
     cmocka_unit_test(templates_and_copies_write_sets),
     cmocka_unit_test(a_pool_gives_what_it_promises),
+    cmocka_unit_test(layouts_leave_nothing_to_their_callbacks),
 };
 
 const struct unit_tests test_vulkan_sets = UNIT_TESTS(tests, NULL, NULL);

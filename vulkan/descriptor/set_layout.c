@@ -36,8 +36,7 @@ void vulkan_set_layout_hold(VkDescriptorSetLayout layout)
 void vulkan_set_layout_release(VkDescriptorSetLayout layout)
 {
     if (layout && atomic_fetch_sub_explicit(&layout->users, 1, memory_order_acq_rel) == 1) {
-        const VkAllocationCallbacks callbacks = layout->callbacks;
-        vulkan_free(&callbacks, layout);
+        vulkan_free(layout->callbacks, layout);
     }
 }
 
@@ -97,6 +96,7 @@ static void fill_layout(VkDescriptorSetLayout layout, const VkDescriptorSetLayou
 VkResult vkCreateDescriptorSetLayout(VkDevice device, const VkDescriptorSetLayoutCreateInfo *info,
                                      const VkAllocationCallbacks *allocator, VkDescriptorSetLayout *layout)
 {
+    (void)allocator;
     uint64_t samplers = 0;
     for (uint32_t i = 0; i < info->bindingCount; i++) {
         samplers += has_immutable(&info->pBindings[i]) ? info->pBindings[i].descriptorCount : 0;
@@ -107,13 +107,12 @@ VkResult vkCreateDescriptorSetLayout(VkDevice device, const VkDescriptorSetLayou
     }
     const size_t head =
         sizeof(struct VkDescriptorSetLayout_T) + info->bindingCount * sizeof(struct vulkan_set_binding);
-    const VkAllocationCallbacks *const callbacks = vulkan_callbacks(allocator, &device->callbacks);
-    VkDescriptorSetLayout made = vulkan_allocate(callbacks, head + (size_t)samplers * sizeof(VkSampler),
-                                                 VK_SYSTEM_ALLOCATION_SCOPE_OBJECT);
+    VkDescriptorSetLayout made =
+        vulkan_device_allocate(device, NULL, head + (size_t)samplers * sizeof(VkSampler));
     if (!made) {
         return VK_ERROR_OUT_OF_HOST_MEMORY;
     }
-    made->callbacks = *callbacks;
+    made->callbacks = &device->callbacks;
     atomic_init(&made->users, 1);
     fill_layout(made, info, (VkSampler *)((unsigned char *)made + head));
     *layout = made;

@@ -20,7 +20,8 @@ struct vulkan_set_binding {
 };
 
 struct VkDescriptorSetLayout_T {
-    VkAllocationCallbacks callbacks;
+    /// Callbacks of the device: those of the layout may be gone when its last user is.
+    const VkAllocationCallbacks *callbacks;
     atomic_uint users;
     uint32_t size;          ///< descriptors of a set
     uint32_t dynamic_count; ///< buffers of a set with dynamic offsets

@@ -12,8 +12,7 @@ void vulkan_pipeline_layout_release(VkPipelineLayout layout)
         for (uint32_t s = 0; s < layout->set_count; s++) {
             vulkan_set_layout_release(layout->sets[s]);
         }
-        const VkAllocationCallbacks callbacks = layout->callbacks;
-        vulkan_free(&callbacks, layout);
+        vulkan_free(layout->callbacks, layout);
     }
 }
 
@@ -35,15 +34,16 @@ uint32_t vulkan_pipeline_layout_places(VkPipelineLayout layout, struct rhw_shade
 VkResult vkCreatePipelineLayout(VkDevice device, const VkPipelineLayoutCreateInfo *info,
                                 const VkAllocationCallbacks *allocator, VkPipelineLayout *layout)
 {
+    (void)allocator;
     *layout = VK_NULL_HANDLE;
     if (info->setLayoutCount > RHW_SHADER_MAX_SETS) {
         return VK_ERROR_OUT_OF_HOST_MEMORY;
     }
-    VkPipelineLayout made = vulkan_device_allocate(device, allocator, sizeof *made);
+    VkPipelineLayout made = vulkan_device_allocate(device, NULL, sizeof *made);
     if (!made) {
         return VK_ERROR_OUT_OF_HOST_MEMORY;
     }
-    made->callbacks = *vulkan_callbacks(allocator, &device->callbacks);
+    made->callbacks = &device->callbacks;
     atomic_init(&made->users, 1);
     made->set_count = info->setLayoutCount;
     for (uint32_t s = 0; s < info->setLayoutCount; s++) {

@@ -7,7 +7,8 @@
 #include "rhw/spirv.h"
 
 struct VkPipelineLayout_T {
-    VkAllocationCallbacks callbacks;
+    /// Callbacks of the device: those of the layout may be gone when its last user is.
+    const VkAllocationCallbacks *callbacks;
     atomic_uint users;
     uint32_t set_count;
     VkDescriptorSetLayout sets[RHW_SHADER_MAX_SETS]; ///< NULL where there is none
