@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "coord_frag.h"
+#include "place_vert.h"
 #include "quad_vert.h"
 #include "scale_comp.h"
 #include "shade_frag.h"
@@ -199,12 +200,12 @@ static void allocations_that_fail_are_told(void **unused)
                                                       .bindingCount = 3,
                                                       .pBindings = bindings};
     VkDescriptorSetLayout set_layout = VK_NULL_HANDLE;
-    TRY(vkCreateDescriptorSetLayout(device, &set_info, &callbacks, &set_layout), set_layout)
+    CHECK(vkCreateDescriptorSetLayout(device, &set_info, NULL, &set_layout));
     const VkPipelineLayoutCreateInfo layout_info = {.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO,
                                                     .setLayoutCount = 1,
                                                     .pSetLayouts = &set_layout};
     VkPipelineLayout layout = VK_NULL_HANDLE;
-    TRY(vkCreatePipelineLayout(device, &layout_info, &callbacks, &layout), layout)
+    CHECK(vkCreatePipelineLayout(device, &layout_info, NULL, &layout));
     const VkDescriptorPoolSize sizes[] = {{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 8},
                                           {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 4}};
     const VkDescriptorPoolCreateInfo pool_info = {.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO,
@@ -235,11 +236,37 @@ static void allocations_that_fail_are_told(void **unused)
         .layout = layout};
     VkPipeline pipeline = VK_NULL_HANDLE;
     TRY(vkCreateComputePipelines(device, VK_NULL_HANDLE, 1, &pipeline_info, &callbacks, &pipeline), pipeline)
-    vkDestroyPipelineLayout(device, layout, &callbacks);
+    vkDestroyPipelineLayout(device, layout, NULL);
     vkDestroyDescriptorPool(device, pool, &callbacks);
-    vkDestroyDescriptorSetLayout(device, set_layout, &callbacks);
+    vkDestroyDescriptorSetLayout(device, set_layout, NULL);
     vkDestroyPipeline(device, pipeline, &callbacks);
     vkDestroyShaderModule(device, module, &callbacks);
+    rig_close(&rig);
+}
+
+static void a_pipeline_that_librhw_refuses_is_an_error(void **unused)
+{
+    (void)unused;
+    struct rig rig;
+    struct picture picture;
+    struct picture_state state;
+    static const VkDescriptorSetLayoutBinding binding = {0, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 1,
+                                                         VK_SHADER_STAGE_VERTEX_BIT, NULL};
+    if (getenv("RHW_TEST_VALIDATION")) {
+        skip(); // the layer tells the fault, as it should
+    }
+    rig_open(&rig);
+    picture_init(&picture, &rig, false, VK_SAMPLE_COUNT_1_BIT);
+    VkDescriptorSetLayout set_layout = rig_set_layout(&rig, &binding, 1);
+    picture_state(&state, &picture, rig_shader(&rig, place_vert, sizeof place_vert),
+                  rig_shader(&rig, shade_frag, sizeof shade_frag), rig_layout(&rig, &set_layout, 1, 0));
+    state.attributes[0] = (VkVertexInputAttributeDescription){
+        .format = VK_FORMAT_R32G32_SFLOAT,
+        .offset = UINT32_MAX}; // of a stride of 0, which has no room for it
+    state.input.vertexBindingDescriptionCount = state.input.vertexAttributeDescriptionCount = 1;
+    VkPipeline pipeline = (VkPipeline)1;
+    assert_int_equal(picture_try_pipeline(&picture, &state, picture.pass, 0, &pipeline), VK_ERROR_UNKNOWN);
+    assert_true(pipeline == VK_NULL_HANDLE);
     rig_close(&rig);
 }
 
@@ -272,6 +299,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(alpha_and_logic_reach_samples_and_bits),
     cmocka_unit_test(samples_are_shaded_one_by_one),
     cmocka_unit_test(allocations_that_fail_are_told),
+    cmocka_unit_test(a_pipeline_that_librhw_refuses_is_an_error),
     cmocka_unit_test(a_pipeline_cache_has_a_header),
 };
 

@@ -139,8 +139,8 @@ void picture_state(struct picture_state *state, const struct picture *picture, V
     state->stages[1].module = fragment;
 }
 
-VkPipeline picture_pipeline(const struct picture *picture, struct picture_state *state, VkRenderPass pass,
-                            uint32_t subpass)
+VkResult picture_try_pipeline(const struct picture *picture, struct picture_state *state, VkRenderPass pass,
+                              uint32_t subpass, VkPipeline *pipeline)
 {
     state->input.pVertexBindingDescriptions = state->buffers;
     state->input.pVertexAttributeDescriptions = state->attributes;
@@ -161,8 +161,14 @@ VkPipeline picture_pipeline(const struct picture *picture, struct picture_state 
                                                .layout = state->layout,
                                                .renderPass = pass,
                                                .subpass = subpass};
+    return vkCreateGraphicsPipelines(picture->rig->device, VK_NULL_HANDLE, 1, &info, NULL, pipeline);
+}
+
+VkPipeline picture_pipeline(const struct picture *picture, struct picture_state *state, VkRenderPass pass,
+                            uint32_t subpass)
+{
     VkPipeline pipeline;
-    CHECK(vkCreateGraphicsPipelines(picture->rig->device, VK_NULL_HANDLE, 1, &info, NULL, &pipeline));
+    CHECK(picture_try_pipeline(picture, state, pass, subpass, &pipeline));
     RIG_KEEP(picture->rig, PIPELINE, pipeline);
     return pipeline;
 }

@@ -55,6 +55,10 @@ struct picture_state {
 void picture_state(struct picture_state *state, const struct picture *picture, VkShaderModule vertex,
                    VkShaderModule fragment, VkPipelineLayout layout);
 
+// Create a pipeline for a subpass, which may fail. The caller destroys it.
+VkResult picture_try_pipeline(const struct picture *picture, struct picture_state *state, VkRenderPass pass,
+                              uint32_t subpass, VkPipeline *pipeline);
+
 // Create a pipeline for a subpass.
 VkPipeline picture_pipeline(const struct picture *picture, struct picture_state *state, VkRenderPass pass,
                             uint32_t subpass);

@@ -17,10 +17,13 @@ static const rhw_pipeline *find_pipeline(struct vulkan_replay *replay, VkPipelin
     if (variant->pipeline.generation == 0) {
         struct rhw_pipeline_def def;
         vulkan_pipeline_definition(pipeline, view, &def);
-        (void)vulkan_replay_check(replay, rhw_pipeline_create(replay->context, &def, &variant->pipeline),
-                                  "a graphics pipeline");
+        if (!vulkan_replay_check(replay, rhw_pipeline_create(replay->context, &def, &variant->pipeline),
+                                 "a graphics pipeline")) {
+            replay->result = VK_ERROR_DEVICE_LOST;
+            return NULL;
+        }
     }
-    return variant->pipeline.generation != 0 ? &variant->pipeline : NULL;
+    return &variant->pipeline;
 }
 
 static void tell_dynamic(struct vulkan_replay *replay, VkPipeline pipeline, bool is_new)

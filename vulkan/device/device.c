@@ -7,6 +7,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+// Bytes of shaders and programs that a device keeps for pipelines that are made of the same.
+enum { SHADER_BYTES = 1 << 26 };
+
 void vulkan_log(const char *format, ...)
 {
     if (getenv("RHW_VULKAN_LOG")) {
@@ -54,8 +57,11 @@ VKAPI_ATTR VkResult VKAPI_CALL vkCreateDevice(VkPhysicalDevice physical, const V
     made->extensions = extensions;
     made->features = features;
     set_loader_magic_value(made);
-    result = vulkan_queue_init(&made->queue, made);
+    result = rhw_shader_cache_create(SHADER_BYTES, &made->shaders) == RHW_OK
+                 ? vulkan_queue_init(&made->queue, made)
+                 : VK_ERROR_OUT_OF_HOST_MEMORY;
     if (result != VK_SUCCESS) {
+        rhw_shader_cache_destroy(made->shaders);
         vulkan_free(callbacks, made);
         return result;
     }
@@ -69,6 +75,7 @@ VKAPI_ATTR void VKAPI_CALL vkDestroyDevice(VkDevice device, const VkAllocationCa
     (void)callbacks; // the ones that it was created with are kept
     if (device) {
         vulkan_queue_end(&device->queue);
+        rhw_shader_cache_destroy(device->shaders);
         const VkAllocationCallbacks own = device->callbacks;
         vulkan_free(&own, device);
     }

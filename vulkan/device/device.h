@@ -5,6 +5,7 @@
 
 #include "instance.h"
 #include "queue/queue.h"
+#include "rhw/spirv.h"
 
 struct VkDevice_T {
     VK_LOADER_DATA loader;
@@ -13,6 +14,7 @@ struct VkDevice_T {
     vulkan_extension_set extensions;
     VkPhysicalDeviceFeatures features; ///< features that the program switched on
     enum rhw_isa isa;                  ///< instruction set of the queue's context
+    rhw_shader_cache *shaders;         ///< what pipelines were made of, for those that are made of the same
     struct VkQueue_T queue;
 };
 

@@ -7,12 +7,13 @@ static VkResult create_pipeline(VkDevice device, const VkComputePipelineCreateIn
 {
     rhw_shader *shader = NULL;
     *pipeline = VK_NULL_HANDLE;
-    VkResult result = vulkan_shader_create(&info->stage, 0, &shader);
+    VkResult result = vulkan_shader_create(device, &info->stage, 0, &shader);
     if (result == VK_SUCCESS) {
         VkPipeline made =
             vulkan_pipeline_allocate(device, allocator, VK_PIPELINE_BIND_POINT_COMPUTE, info->layout, 1);
-        result = made ? vulkan_pipeline_link(made, 0, &(struct rhw_shader_program_def){.compute = shader})
-                      : VK_ERROR_OUT_OF_HOST_MEMORY;
+        result =
+            made ? vulkan_pipeline_link(device, made, 0, &(struct rhw_shader_program_def){.compute = shader})
+                 : VK_ERROR_OUT_OF_HOST_MEMORY;
         if (result == VK_SUCCESS) {
             *pipeline = made;
         } else {

@@ -15,7 +15,8 @@ static void destroy_shaders(struct stages *stages)
     *stages = (struct stages){NULL, NULL};
 }
 
-static VkResult create_shaders(const VkGraphicsPipelineCreateInfo *info, uint32_t view, struct stages *stages)
+static VkResult create_shaders(VkDevice device, const VkGraphicsPipelineCreateInfo *info, uint32_t view,
+                               struct stages *stages)
 {
     VkResult result = VK_SUCCESS;
     for (uint32_t i = 0; result == VK_SUCCESS && i < info->stageCount; i++) {
@@ -24,7 +25,7 @@ static VkResult create_shaders(const VkGraphicsPipelineCreateInfo *info, uint32_
         rhw_shader **const shader = is_fragment ? &stages->fragment : &stages->vertex;
         // Fragments that are never made need no shader, and the program may leave it out of what it declares.
         if (!*shader && (!is_fragment || !info->pRasterizationState->rasterizerDiscardEnable)) {
-            result = vulkan_shader_create(stage, view, shader);
+            result = vulkan_shader_create(device, stage, view, shader);
         }
     }
     return result;
@@ -54,20 +55,21 @@ static uint32_t count_variants(const struct stages *stages, uint32_t views)
 }
 
 // Link the shaders of view 0, and translate and link those of the other views. The shaders of view 0 stay.
-static VkResult link_variants(VkPipeline pipeline, const VkGraphicsPipelineCreateInfo *info, uint32_t views,
-                              const struct stages *first)
+static VkResult link_variants(VkDevice device, VkPipeline pipeline, const VkGraphicsPipelineCreateInfo *info,
+                              uint32_t views, const struct stages *first)
 {
     VkResult result = vulkan_pipeline_link(
-        pipeline, 0, &(struct rhw_shader_program_def){.vertex = first->vertex, .fragment = first->fragment});
+        device, pipeline, 0,
+        &(struct rhw_shader_program_def){.vertex = first->vertex, .fragment = first->fragment});
     for (uint32_t v = 1; result == VK_SUCCESS && v < pipeline->variant_count; v++) {
         struct stages stages = {NULL, NULL};
         if (!(views >> v & 1)) {
             continue;
         }
-        result = create_shaders(info, v, &stages);
+        result = create_shaders(device, info, v, &stages);
         if (result == VK_SUCCESS) {
             result = vulkan_pipeline_link(
-                pipeline, v,
+                device, pipeline, v,
                 &(struct rhw_shader_program_def){.vertex = stages.vertex, .fragment = stages.fragment});
         }
         destroy_shaders(&stages);
@@ -81,13 +83,16 @@ static VkResult create_pipeline(VkDevice device, const VkGraphicsPipelineCreateI
     const uint32_t views = find_views(info);
     struct stages stages = {NULL, NULL};
     *pipeline = VK_NULL_HANDLE;
-    VkResult result = create_shaders(info, 0, &stages);
+    VkResult result = create_shaders(device, info, 0, &stages);
     if (result == VK_SUCCESS) {
         VkPipeline made = vulkan_pipeline_allocate(device, allocator, VK_PIPELINE_BIND_POINT_GRAPHICS,
                                                    info->layout, count_variants(&stages, views));
-        result = made ? link_variants(made, info, views, &stages) : VK_ERROR_OUT_OF_HOST_MEMORY;
+        result = made ? link_variants(device, made, info, views, &stages) : VK_ERROR_OUT_OF_HOST_MEMORY;
         if (result == VK_SUCCESS) {
             vulkan_pipeline_state_fill(made, info, rhw_shader_get_info(stages.vertex));
+            result = vulkan_pipeline_state_check(made);
+        }
+        if (result == VK_SUCCESS) {
             *pipeline = made;
         } else {
             vulkan_pipeline_free(device, allocator, made);

@@ -57,7 +57,7 @@ static bool note_used(VkPipeline pipeline, const rhw_shader_program *program,
     return true;
 }
 
-VkResult vulkan_pipeline_link(VkPipeline pipeline, uint32_t variant,
+VkResult vulkan_pipeline_link(VkDevice device, VkPipeline pipeline, uint32_t variant,
                               const struct rhw_shader_program_def *shaders)
 {
     const uint32_t count = vulkan_pipeline_layout_places(pipeline->layout, NULL);
@@ -66,6 +66,7 @@ VkResult vulkan_pipeline_link(VkPipeline pipeline, uint32_t variant,
         return VK_ERROR_OUT_OF_HOST_MEMORY;
     }
     struct rhw_shader_program_def def = *shaders;
+    def.cache = device->shaders;
     def.layout = places;
     def.layout_count = vulkan_pipeline_layout_places(pipeline->layout, places);
     rhw_shader_program **const program = &pipeline->variants[variant].program;

@@ -46,7 +46,7 @@ VkPipeline vulkan_pipeline_allocate(VkDevice device, const VkAllocationCallbacks
 
 // Link shaders to the program of a variant. Shaders that are NULL are left out. If that fails, return a VkResult, and
 // leave the pipeline to vulkan_pipeline_free.
-VkResult vulkan_pipeline_link(VkPipeline pipeline, uint32_t variant,
+VkResult vulkan_pipeline_link(VkDevice device, VkPipeline pipeline, uint32_t variant,
                               const struct rhw_shader_program_def *shaders);
 
 // Free a pipeline that no draw has needed yet.

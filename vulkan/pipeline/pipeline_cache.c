@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A pipeline cache keeps nothing: shaders are translated within a millisecond. Its data is the header that Vulkan asks
-// for.
+// What pipelines are made of is kept for the whole device, whether they name a pipeline cache or not
+// (VkDevice_T.shaders). So a pipeline cache has nothing of its own, caches are merged from the beginning, and the data
+// is the header that Vulkan asks for: translating a shader takes less than a millisecond, which a file would not save.
 #include "device/device.h"
 #include <string.h>
 

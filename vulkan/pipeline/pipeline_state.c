@@ -5,6 +5,7 @@
 #include "pipeline_enums.h"
 #include "resource/format.h"
 #include "resource/sampler.h"
+#include "src/driver.h"
 #include <math.h>
 
 // Vertex input ---------------------------------------------------------------------------------------
@@ -303,4 +304,23 @@ void vulkan_pipeline_definition(VkPipeline pipeline, uint32_t variant, struct rh
     if (pipeline->shades_samples) {
         shade_samples(&def->program);
     }
+}
+
+static void tell(void *user, const char *message)
+{
+    (void)user;
+    vulkan_log("%s", message);
+}
+
+VkResult vulkan_pipeline_state_check(VkPipeline pipeline)
+{
+    bool is_good = true;
+    for (uint32_t v = 0; is_good && v < pipeline->variant_count; v++) {
+        if (pipeline->variants[v].program) {
+            struct rhw_pipeline_def def;
+            vulkan_pipeline_definition(pipeline, v, &def);
+            is_good = rhw_driver_pipeline_check(&def, tell);
+        }
+    }
+    return is_good ? VK_SUCCESS : VK_ERROR_UNKNOWN;
 }

@@ -37,11 +37,12 @@ static struct rhw_shader_constant *read_constants(const VkSpecializationInfo *in
     return constants;
 }
 
-VkResult vulkan_shader_create(const VkPipelineShaderStageCreateInfo *stage, uint32_t view_index,
-                              rhw_shader **shader)
+VkResult vulkan_shader_create(VkDevice device, const VkPipelineShaderStageCreateInfo *stage,
+                              uint32_t view_index, rhw_shader **shader)
 {
     *shader = NULL;
-    struct rhw_shader_def def = {.entry_point = stage->pName, .view_index = view_index};
+    struct rhw_shader_def def = {
+        .entry_point = stage->pName, .view_index = view_index, .cache = device->shaders};
     switch (stage->stage) {
     case VK_SHADER_STAGE_VERTEX_BIT: def.stage = RHW_SHADER_VERTEX; break;
     case VK_SHADER_STAGE_FRAGMENT_BIT: def.stage = RHW_SHADER_FRAGMENT; break;

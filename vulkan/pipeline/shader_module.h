@@ -13,7 +13,7 @@ struct VkShaderModule_T {
 
 // Translate a stage of a pipeline, for a view of several. Return VK_SUCCESS, VK_ERROR_OUT_OF_HOST_MEMORY, or
 // VK_ERROR_INVALID_SHADER_NV for a module that librhw-shader refuses; the log tells why.
-VkResult vulkan_shader_create(const VkPipelineShaderStageCreateInfo *stage, uint32_t view_index,
-                              rhw_shader **shader);
+VkResult vulkan_shader_create(VkDevice device, const VkPipelineShaderStageCreateInfo *stage,
+                              uint32_t view_index, rhw_shader **shader);
 
 #endif
