@@ -42,9 +42,23 @@ static const double pi = 3.14159265358979324;
 
 // Meshes --------------------------------------------------------------------------------------------
 
+// Return the colours of a mesh's vertices. Return NULL if there are none: assimp gives all meshes of an AMF some, of
+// which nothing is set where the file has no colours.
+static const struct aiColor4D *colors_of(const struct aiMesh *mesh)
+{
+    const struct aiColor4D *const colors = mesh->mColors[0];
+    for (unsigned i = 0; colors != NULL && i < mesh->mNumVertices; i++) {
+        const struct aiColor4D *const c = &colors[i];
+        if (!(c->r == 0 && c->g == 0 && c->b == 0 && c->a == 0)) {
+            return colors;
+        }
+    }
+    return NULL;
+}
+
 static uint32_t material_of(struct reader *reader, const struct aiMesh *mesh)
 {
-    const bool colored = mesh->mColors[0] != NULL;
+    const bool colored = colors_of(mesh) != NULL;
     if (mesh->mMaterialIndex >= reader->scene->mNumMaterials) {
         scene_import_fail(reader->import, "a mesh refers to a material that does not exist");
     }
@@ -196,7 +210,7 @@ static void add_mesh(struct reader *reader, uint32_t index)
     mesh.normals = copy_vectors(import, source->mNormals, count);
     mesh.uvs[0] = copy_uvs(import, source->mTextureCoords[0], count);
     mesh.uvs[1] = copy_uvs(import, source->mTextureCoords[1], count);
-    mesh.colors = copy_colors(import, source->mColors[0], count);
+    mesh.colors = copy_colors(import, colors_of(source), count);
     fix_alpha(import, &mesh);
     tell_of_third(import, source);
     if (source->mColors[1] != NULL) {

@@ -440,6 +440,17 @@ static void test_words(void **state)
     }
 }
 
+// A mesh of an AMF that says nothing of colours is grey, as all that is not described.
+static void test_no_colors(void **state)
+{
+    (void)state;
+    struct scene_model *const model = load_text("w.amf", AMF(""));
+    const struct scene_mesh *const mesh = &model->meshes[0];
+    assert_null(mesh->colors);
+    assert_floats(model->materials[mesh->material].base_color, (const float[]){0.6f, 0.6f, 0.6f, 1}, 4, 0);
+    scene_model_free(model);
+}
+
 // A camera and a light that cannot be, and a light of a kind that is not drawn.
 static void test_cameras_and_lights(void **state)
 {
@@ -580,13 +591,21 @@ static void test_warnings(void **state)
 }
 
 static const struct CMUnitTest tests[] = {
-    cmocka_unit_test(test_warnings),  cmocka_unit_test(test_vertices),
-    cmocka_unit_test(test_materials), cmocka_unit_test(test_texts),
-    cmocka_unit_test(test_entities),  cmocka_unit_test(test_drawings),
-    cmocka_unit_test(test_schema),    cmocka_unit_test(test_meshes_without_faces),
-    cmocka_unit_test(test_log),       cmocka_unit_test(test_textures),
-    cmocka_unit_test(test_collada),   cmocka_unit_test(test_words),
-    cmocka_unit_test(test_frames),    cmocka_unit_test(test_cameras_and_lights),
+    cmocka_unit_test(test_warnings),
+    cmocka_unit_test(test_vertices),
+    cmocka_unit_test(test_no_colors),
+    cmocka_unit_test(test_materials),
+    cmocka_unit_test(test_texts),
+    cmocka_unit_test(test_entities),
+    cmocka_unit_test(test_drawings),
+    cmocka_unit_test(test_schema),
+    cmocka_unit_test(test_meshes_without_faces),
+    cmocka_unit_test(test_log),
+    cmocka_unit_test(test_textures),
+    cmocka_unit_test(test_collada),
+    cmocka_unit_test(test_words),
+    cmocka_unit_test(test_frames),
+    cmocka_unit_test(test_cameras_and_lights),
 };
 
 const struct unit_tests test_gaps = UNIT_TESTS(tests, make_directory, remove_directory);
