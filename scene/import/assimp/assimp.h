@@ -65,6 +65,8 @@ char *scene_assimp_fbx(struct scene_import *import, size_t *size);
 void scene_assimp_tell_hidden(struct scene_import *import, const struct aiScene *scene);
 /// Move the white space at the ends of a document's texts into its tags. A 0 follows the text.
 void scene_assimp_collapse_texts(char *text, size_t size);
+/// Make meshes of the convex meshes of a Collada document that have parts of their own. A 0 follows the text.
+void scene_assimp_rename_convex(char *text, size_t size);
 /// Name the texture coordinates of a Collada document's textures by the numbers that assimp has for their sets. A 0
 /// follows the text.
 void scene_assimp_number_sets(char *text, size_t size);

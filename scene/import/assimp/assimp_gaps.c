@@ -145,7 +145,7 @@ static void look_for_words(struct scene_import *import, const char *bytes, size_
         {"dae", "<spline", "curves"},
         {"dae", "<brep", "boundary representations"},
         {"dae", "<nurbs", "NURBS"},
-        {"dae", "<convex_mesh", "convex meshes"},
+        {"dae", "convex_hull_of", "convex hulls of meshes"},
         {"fbx", "NurbsSurface", "NURBS surfaces"},
         {"fbx", "NurbsCurve", "NURBS curves"},
         {"fbx", "VertexCacheDeformer", "movements of vertices that are in a file beside it"},

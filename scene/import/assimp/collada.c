@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Collada for assimp. White space at the ends of a text is to be collapsed (XML Schema 4.3.6), but assimp 5.2.5 refuses
 // a file for a blank before a colour. The blanks are moved into the tags before and behind, where XML allows them, so
-// that nothing else of the file moves.
+// that nothing else of the file moves. Convex meshes, which it does not know, get the name of other meshes: they have
+// the same parts.
 #include "assimp.h"
 #include "collada_markup.h"
 
@@ -44,5 +45,34 @@ void scene_assimp_collapse_texts(char *text, size_t size)
         }
         before = is_start && close[-1] != '/' ? close : NULL;
         c = close;
+    }
+}
+
+// Write the name of a mesh over that of a convex mesh, which is longer.
+static void write_name(char *name)
+{
+    static const char convex[] = "convex_mesh", mesh[] = "mesh       ";
+    _Static_assert(sizeof convex == sizeof mesh, "nothing else of the file moves");
+    memcpy(name, mesh, sizeof mesh - 1);
+}
+
+void scene_assimp_rename_convex(char *text, size_t size)
+{
+    const char *const end = text + size;
+    bool is_renamed = false;
+    char *close;
+    for (char *c = strchr(text, '<'); c != NULL; c = strchr(close, '<')) {
+        close = scene_collada_markup_end(c, end);
+        if (close == NULL) {
+            return;
+        }
+        if (scene_collada_is_tag(c, "convex_mesh")) {
+            is_renamed = scene_collada_attribute(c, close, "convex_hull_of").text == NULL;
+            if (is_renamed) {
+                write_name(c + 1);
+            }
+        } else if (is_renamed && scene_collada_is_tag(c + 1, "convex_mesh")) {
+            write_name(c + 2);
+        }
     }
 }

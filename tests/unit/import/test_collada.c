@@ -158,6 +158,26 @@ static void test_texture_coordinate_sets(void **state)
 }
 
 // An image that names no file is one that is missing. assimp refuses the document, or aborts.
+// A convex mesh with parts of its own is drawn as any mesh. The hull of another mesh is not.
+static void test_convex(void **state)
+{
+    (void)state;
+    static const char *const tags[] = {"<convex_mesh>", "<convex_mesh convex_hull_of=\"#g\">"};
+    for (int i = 0; i < 2; i++) {
+        char text[8192], changed[32768];
+        make_document("", text);
+        char *const mesh = strstr(text, "<mesh>"), *const end = strstr(text, "</mesh>");
+        *mesh = *end = 0;
+        snprintf(changed, sizeof changed, "%s%s%s</convex_mesh>%s", text, tags[i], mesh + strlen("<mesh>"),
+                 end + strlen("</mesh>"));
+        write_text("x.dae", changed);
+        struct scene_model *const model = load("x.dae");
+        assert_int_equal(model->triangles_drawn, i == 0);
+        assert_true(is_unsupported(model, "convex hulls of meshes: not drawn") == (i == 1));
+        scene_model_free(model);
+    }
+}
+
 static void test_images_without_names(void **state)
 {
     (void)state;
@@ -492,6 +512,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_indices_that_are_none),
     cmocka_unit_test(test_no_color),
     cmocka_unit_test(test_blanks),
+    cmocka_unit_test(test_convex),
     cmocka_unit_test(test_cameras),
     cmocka_unit_test(test_texture_coordinate_sets),
     cmocka_unit_test(test_images_without_names),

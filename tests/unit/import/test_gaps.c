@@ -426,8 +426,8 @@ static void test_words(void **state)
                  "<geometry id=\"c\"><brep/></geometry></library_geometries>" SCENE(""),
          "boundary representations: not drawn"},
         {"w.dae",
-         COLLADA "<library_geometries>" TRIANGLE "</library_geometries><!-- <convex_mesh -->" SCENE(""),
-         "convex meshes: not drawn"},
+         COLLADA "<library_geometries>" TRIANGLE "</library_geometries><!-- convex_hull_of -->" SCENE(""),
+         "convex hulls of meshes: not drawn"},
         {"w.dae", COLLADA "<library_geometries>" TRIANGLE "</library_geometries><!-- <nurbs -->" SCENE(""),
          "NURBS: not drawn"},
     };
