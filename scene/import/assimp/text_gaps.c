@@ -48,6 +48,16 @@ static void look_at_nff(struct scene_import *import, struct scene_text *text)
     }
 }
 
+// Refuse a surface whose material is not there, at which assimp 5.2.5 crashes. Surfaces that name none have the first.
+static void check_material(struct scene_import *import, const struct scene_text *text, double number,
+                           unsigned materials)
+{
+    if (!(number >= 0 && number < (double)materials)) {
+        scene_import_fail(import, "line %u: a surface has material %.0f of %u", text->line, number,
+                          materials);
+    }
+}
+
 static void look_at_ac3d(struct scene_import *import, struct scene_text *text)
 {
     static const char *const known[] = {"MATERIAL", "OBJECT", "kids",   "name",   "data",    "texture",
@@ -57,6 +67,7 @@ static void look_at_ac3d(struct scene_import *import, struct scene_text *text)
     struct scene_unknown_words unknown = {.format = "AC3D"};
     struct scene_line line;
     struct scene_word word;
+    unsigned materials = 0;
     bool is_textured = false;
     while (scene_text_line(text, false, &line)) {
         if (!scene_text_word(&line, &word) || is_number(word) || strncmp(word.start, "AC3D", 4) == 0) {
@@ -71,6 +82,12 @@ static void look_at_ac3d(struct scene_import *import, struct scene_text *text)
             scene_text_line(text, false, &line); // a text of the author's
         } else if (!is_one_of(word, known, sizeof known / sizeof *known)) {
             scene_unknown_words_tell(import, &unknown, word);
+        }
+        materials += scene_word_is(word, "MATERIAL");
+        if (scene_word_is(word, "mat") || scene_word_is(word, "SURF")) {
+            double number = 0;
+            const bool is_named = scene_word_is(word, "mat") && scene_text_double(&line, &number);
+            check_material(import, text, is_named ? number : 0, materials);
         }
         is_textured = is_texture || (is_textured && !scene_word_is(word, "OBJECT"));
     }
