@@ -222,15 +222,34 @@ static void find_rows(struct ply *ply)
 
 // Meshes --------------------------------------------------------------------------------------------
 
+// Return the name of a texture's file in the bytes of the model's. MeshLab writes <this> at its start for the name of
+// the model without its ending.
+static const char *texture_file(struct ply *ply, struct scene_word name)
+{
+    static const char mark[] = "<this>";
+    const size_t length = sizeof mark - 1;
+    const char *const text = scene_word_bytes(ply->import, name), *const path = ply->import->model.path;
+    if (strncmp(text, mark, length) != 0) {
+        return text;
+    }
+    const char *const slash = strrchr(path, '/'), *const file = slash == NULL ? path : slash + 1;
+    const char *const dot = strrchr(file, '.');
+    const size_t stem = dot == NULL ? strlen(file) : (size_t)(dot - file);
+    char *const whole = scene_import_allocate(ply->import, stem + name.length - length + 1, 1);
+    memcpy(whole, file, stem);
+    memcpy(whole + stem, text + length, name.length - length);
+    return whole;
+}
+
 // Add a material with the texture of this number, if there is one, for a mesh whose attributes are complete.
 static uint32_t add_material(struct ply *ply, const struct scene_mesh *mesh, int texture, bool translucent)
 {
     struct scene_phong phong = scene_phong_default();
     phong.colored = mesh->colors != NULL;
     if (texture >= 0 && texture < ply->texture_count && mesh->uvs[0] != NULL) {
-        phong.color.name = scene_word_string(ply->import, ply->textures[texture]);
-        scene_import_find_image(ply->import, NULL, scene_word_bytes(ply->import, ply->textures[texture]),
-                                &phong.color.source);
+        const char *const file = texture_file(ply, ply->textures[texture]);
+        phong.color.name = scene_import_string(ply->import, file, strlen(file));
+        scene_import_find_image(ply->import, NULL, file, &phong.color.source);
     }
     const uint32_t material = scene_phong_add(ply->import, &phong);
     if (translucent) {

@@ -157,6 +157,21 @@ static void test_textures(void **state)
     scene_model_free(model);
 }
 
+// The name of the model may stand for itself at the start of a texture's.
+static void test_texture_named_by_model(void **state)
+{
+    (void)state;
+    static const unsigned char texel[] = {[2] = 2, [12] = 1, [14] = 1, [16] = 24, [18] = 0, 0, 255};
+    write_bytes("t.b_A.tga", texel, sizeof texel);
+    struct scene_model *model = load_text(
+        "t.b.ply", "ply\nformat ascii 1.0\ncomment TextureFile <this>_A.tga\nelement vertex 3\n" VERTICES
+                   "property float s\nproperty float t\nelement face 1\n" LIST "end_header\n"
+                   "0 0 0 0 0\n1 0 0 1 0\n1 1 0 1 1\n3 0 1 2\n");
+    assert_int_equal(model->warning_count, 0);
+    assert_string_equal(model->images[0].name, "t.b_A.tga");
+    scene_model_free(model);
+}
+
 // Corners of strips have the texture coordinates 0, 0 beside faces that have some.
 static void test_strips_beside_texture_coordinates(void **state)
 {
@@ -355,6 +370,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_vertex_colors),
     cmocka_unit_test(test_all_colors),
     cmocka_unit_test(test_textures),
+    cmocka_unit_test(test_texture_named_by_model),
     cmocka_unit_test(test_faces_beside_strips),
 };
 
