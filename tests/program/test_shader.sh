@@ -236,6 +236,21 @@ GLSL
 succeed shader toy.frag --run --size 2x2 --time 1 -o toy.png
 printf 'P6 2 2 255\n\377\000\377\000\000\377\377\377\377\000\377\377' >want.ppm
 succeed compare toy.png want.ppm
+# Its uniforms, two of them declared: the sizes of textures, the date without a clock, the frame of the time. 1 where one is right.
+cat >toys.frag <<'GLSL'
+uniform vec3 iChannelResolution[4];
+uniform int iFrame;
+void mainImage(out vec4 color, in vec2 at)
+{
+    color.r = float(iChannelResolution[1] == vec3(3, 2, 1) && iChannelResolution[0] == vec3(0) && texture(iChannel1, at).b == 1.0);
+    color.g = float(iDate == vec4(1970, 0, 1, 1.5) && iFrame == 90 && iFrameRate * iTimeDelta == 1.0);
+    color.b = float(iMouse == vec4(3, 4, 3, 4) && iChannelTime[3] == 1.5 && iSampleRate == 44100.0);
+}
+GLSL
+printf 'P6 3 2 255\n\000\000\377\000\000\377\000\000\377\000\000\377\000\000\377\000\000\377' >wide.ppm
+succeed shader toys.frag --run --size 1 --time 1.5 --mouse 3,4 --texture iChannel1=wide.ppm -o toys.png
+printf 'P6 1 1 255\n\377\377\377' >want.ppm
+succeed compare toys.png want.ppm
 sed 's/iTime, 0/iTimes, 0/' toy.frag >bad.frag
 refuse 1 "bad.frag:4: 'iTimes' : undeclared identifier" shader bad.frag --run -o a.png
 

@@ -7,10 +7,23 @@
 #include <string.h>
 
 static const struct {
-    const char *type, *name;
-} uniforms[] = {{"vec3", "iResolution"},    {"float", "iTime"},         {"vec4", "iMouse"},
-                {"int", "iFrame"},          {"sampler2D", "iChannel0"}, {"sampler2D", "iChannel1"},
-                {"sampler2D", "iChannel2"}, {"sampler2D", "iChannel3"}};
+    const char *type, *name, *elements;
+} uniforms[] = {
+    {"vec3", "iResolution", ""},
+    {"float", "iTime", ""},
+    {"float", "iTimeDelta", ""},
+    {"int", "iFrame", ""},
+    {"float", "iFrameRate", ""},
+    {"vec4", "iMouse", ""},
+    {"vec4", "iDate", ""},
+    {"float", "iSampleRate", ""},
+    {"float", "iChannelTime", "[4]"},
+    {"vec3", "iChannelResolution", "[4]"},
+    {"sampler2D", "iChannel0", ""},
+    {"sampler2D", "iChannel1", ""},
+    {"sampler2D", "iChannel2", ""},
+    {"sampler2D", "iChannel3", ""},
+};
 enum { UNIFORMS = sizeof uniforms / sizeof *uniforms };
 
 static const char main_function[] =
@@ -75,8 +88,9 @@ bool cli_shader_main_image(const char *text, size_t size, struct cli_shader_main
     size_t length = 0;
     for (int i = 0; i < UNIFORMS; i++) {
         if (!names.is_declared[i]) {
-            length += (size_t)snprintf(made->before + length, sizeof made->before - length, "uniform %s %s; ",
-                                       uniforms[i].type, uniforms[i].name);
+            length +=
+                (size_t)snprintf(made->before + length, sizeof made->before - length, "uniform %s %s%s; ",
+                                 uniforms[i].type, uniforms[i].name, uniforms[i].elements);
         }
     }
     made->text = malloc(size + sizeof main_function);

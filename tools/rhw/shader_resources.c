@@ -4,6 +4,7 @@
 
 #include "image_write.h"
 #include "import/image/read.h"
+#include "shader_uniforms.h"
 #include "shader_values.h"
 
 #include <stdlib.h>
@@ -62,39 +63,6 @@ static const struct rhw_shader_resource *find_resource(const struct cli_shader_f
 
 // Buffers --------------------------------------------------------------------------------------------
 
-// Set a member that the program knows by its name.
-static void set_member(const struct rhw_shader_member *member, const struct cli_shader_job *job, char *memory,
-                       size_t size)
-{
-    const struct {
-        const char *name;
-        float values[4];
-    } known[] = {
-        {"iResolution", {(float)job->width, (float)job->height, 1, 0}},
-        {"iTime", {(float)job->time, 0, 0, 0}},
-        {"iMouse", {(float)job->mouse[0], (float)job->mouse[1], 0, 0}},
-    };
-    const struct rhw_shader_type *const type = member->type;
-    const size_t bytes = 4 * (size_t)type->rows;
-    if (type->kind != RHW_SHADER_FLOAT || type->bits != 32 || type->columns != 1 || member->offset > size ||
-        size - member->offset < bytes) {
-        return;
-    }
-    for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
-        if (strcmp(member->name, known[i].name) == 0) {
-            memcpy(memory + member->offset, known[i].values, bytes);
-        }
-    }
-}
-
-static void set_members(const struct rhw_shader_type *type, const struct cli_shader_job *job, void *memory,
-                        size_t size)
-{
-    for (uint32_t i = 0; type && i < type->count; i++) {
-        set_member(&type->members[i], job, memory, size);
-    }
-}
-
 // A binding of two shaders may have more members in one of them.
 static uint32_t largest_size(const struct cli_shader_file *files, int count,
                              const struct rhw_shader_resource *what)
@@ -128,10 +96,6 @@ static bool open_buffer(struct cli_shader_resource *resource, struct cli_shader_
         cli_error("--run", "out of memory");
         return false;
     }
-    for (int i = 0; i < count; i++) {
-        const struct rhw_shader_resource *const one = find_resource(&files[i], what);
-        set_members(one ? one->type : NULL, job, resource->memory, resource->size);
-    }
     return true;
 }
 
@@ -152,8 +116,8 @@ static bool open_push_constants(struct cli_shader_resources *resources, const st
     }
     resources->push = calloc(1, resources->push_size + 4);
     for (int i = 0; resources->push && i < count; i++) {
-        set_members(rhw_shader_get_info(files[i].shader)->push_type, job, resources->push,
-                    resources->push_size);
+        cli_shader_uniforms_set(rhw_shader_get_info(files[i].shader)->push_type, job, resources,
+                                resources->push, resources->push_size);
     }
     if (!resources->push) {
         cli_error("--run", "out of memory");
@@ -239,6 +203,22 @@ static bool open_resource(struct cli_shader_resource *resource, rhw_context *con
         cli_error("--run", "%u:%u is a texel buffer or an input attachment, which are not given here",
                   (unsigned)resource->what->set, (unsigned)resource->what->binding);
         return false;
+    }
+}
+
+// Set uniforms of known names in the buffers that no option fills. All textures are there by then.
+static void set_uniforms(const struct cli_shader_resources *resources, struct cli_shader_job *job,
+                         const struct cli_shader_file *files, int count)
+{
+    for (int i = 0; i < resources->count; i++) {
+        const struct cli_shader_resource *const resource = &resources->list[i];
+        if (!is_buffer(resource->what) || find_binding(&job->buffers, resource->what)) {
+            continue;
+        }
+        for (int f = 0; f < count; f++) {
+            const struct rhw_shader_resource *const one = find_resource(&files[f], resource->what);
+            cli_shader_uniforms_set(one ? one->type : NULL, job, resources, resource->memory, resource->size);
+        }
     }
 }
 
@@ -358,6 +338,7 @@ bool cli_shader_resources_open(struct cli_shader_resources *resources, rhw_conte
             }
         }
     }
+    set_uniforms(resources, job, files, count);
     if (!check_used(&job->buffers, "buffer") || !check_used(&job->textures, "texture") ||
         !check_used(&job->results, "buffer or storage image") || !check_results(resources, &job->results) ||
         !open_push_constants(resources, job, files, count) || !open_sets(resources, program)) {
