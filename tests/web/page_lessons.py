@@ -171,13 +171,21 @@ class Lessons(PageCase):
             self.assertAlmostEqual(y, bottom + (top - bottom) * (clip[1] / clip[3] + 1) / 2, delta=0.1)
         self.browser.save_screenshot(os.path.join(sys.argv[3], "motion_end.png"))
         slide = "const k = document.querySelector('#motion [name=k]'); k.value = arguments[0]; k.dispatchEvent(new Event('input'))"
+        self.assertEqual(self.script("""
+            const texts = [...document.querySelectorAll('#motion .flight text')], boxes = texts.map((text) => text.getBBox());
+            const rim = document.querySelector('#motion .flight .screen').getBBox();
+            return [texts.map((text) => text.textContent).filter((name) => /^[A-C]{1,2}$/.test(name)).sort().join(),
+                    boxes.some((a, i) => boxes.slice(i + 1).some((b) => a.x < b.x + b.width && b.x < a.x + a.width &&
+                                                                        a.y < b.y + b.height && b.y < a.y + a.height)),
+                    boxes[texts.findIndex((text) => text.textContent.startsWith('screen'))].y >= rim.y + rim.height - 2]"""),
+            ["AB,AC,B,C", False, True], "the corners of the table, whose names can be read, and the screen's below it")
         for k in (0, 0.5):
             self.script(slide, k)
             self.browser.save_screenshot(os.path.join(sys.argv[3], f"motion_{k}.png"))
         self.script(slide, 0)
         self.assertNotEqual(self.script("return document.querySelector('#motion .cut-off').getAttribute('points')"), "")
         names = self.script("return [...document.querySelectorAll('#motion .flight text')].map((t) => [t.textContent, t.getAttribute('class')])")
-        self.assertTrue(all((kind is None) == (name in "ABC") for name, kind in names), f"after another place of the slider: {names}")
+        self.assertTrue(all((kind is None) == (name in ("A", "B", "C")) for name, kind in names), f"after another place of the slider: {names}")
         self.assertIn("−1.527", self.node("#motion table").text)  # Z of A, behind the eye
         width, height = self.script("const { clientWidth: w, clientHeight: h } = document.querySelector('#motion .flight'); return [w, h]")
         for k in (0, 0.1, 0.2, 0.4, 0.6, 0.8, 1):

@@ -8,13 +8,18 @@ import { short } from './math.js';
 import { sizeOf } from './size.js';
 import { fill } from './slots.js';
 import { drawn, points, set, svg } from './svg.js';
+import { clamp } from './vector.js';
 
 const FIELDS = 8; // of the triangle, along u and v
 const YAW = (68 * Math.PI) / 180; // from where one looks at the start: from the side, a little from above
 const PITCH = (24 * Math.PI) / 180;
 const FAR = 7; // W up to which the start is in the picture
 const CAPTION = 120; // CSS pixels that the name of the screen takes at most
+const BELOW = 22; // CSS pixels for it below the screen, at the end
 const LIFT = 0.3; // of the start, as what is near stands low in it
+
+const ASIDE = 8; // CSS pixels from a corner of the cut to its name
+const NAME = 22; // that it takes
 
 const mix = (from, to, k) => from + (to - from) * k;
 
@@ -47,8 +52,9 @@ export class Flight {
     const across = px * Math.cos(yaw) + pz * Math.sin(yaw);
     const away = -px * Math.sin(yaw) + pz * Math.cos(yaw);
     const up = py * Math.cos(pitch) + away * Math.sin(pitch);
-    const scale = Math.min(width / mix(FAR + 4, 2.3 * this.aspect, k), height / mix(7, 2.3, k));
-    return [width / 2 + across * scale, height / 2 - (up + mix(LIFT, 0, k)) * scale];
+    const room = height - mix(0, BELOW, k);
+    const scale = Math.min(width / mix(FAR + 4, 2.3 * this.aspect, k), room / mix(7, 2.3, k));
+    return [width / 2 + across * scale, room / 2 - (up + mix(LIFT, 0, k)) * scale];
   }
 
   // A place of the screen, -1..1, or where the line to it from the eye is so many times as far.
@@ -105,6 +111,7 @@ export class Flight {
     const early = Math.max(0, 1 - 5 * this.k); // what is cut off is gone before anything is divided
     set(this.behind, { points: early ? points(gone.map(({ clip }) => this.#unmoved(clip))) : '', style: `opacity: ${early}` });
     this.#placeCut(kept);
+    this.kept = kept;
     this.eye.toggleAttribute('hidden', this.k === 1); // all lines through it are parallel by then
     if (this.k < 1) {
       const [cx, cy] = this.#at([0, 0, 0, 0]);
@@ -133,7 +140,26 @@ export class Flight {
     fill(this.labels, () => this.#writeLabels(early));
   }
 
+  // The corners that the cut made have their names beyond it, once there is room between them.
+  #nameCut() {
+    const places = this.kept.map(({ clip }) => this.#at(clip));
+    const made = this.kept.flatMap(({ name }, i) => (name.length === 2 ? [{ name, at: places[i] }] : []));
+    if (this.k < 0.5 || made.length !== 2) {
+      return;
+    }
+    const [[x1, y1], [x2, y2]] = made.map(({ at }) => at);
+    const [x, y] = [0, 1].map((k) => places.reduce((sum, at) => sum + at[k], 0) / places.length); // within
+    const side = (y2 - y1) * (x - x1) - (x2 - x1) * (y - y1) > 0 ? -1 : 1;
+    const far = (side * ASIDE) / Math.max(Math.hypot(x2 - x1, y2 - y1), 1);
+    for (const { name, at } of made) {
+      const [across, down] = [(y2 - y1) * far, -(x2 - x1) * far];
+      const attributes = { x: clamp(at[0] + across, NAME, this.width - NAME), y: at[1] + down + 4 };
+      drawn(this.labels, 'text', { ...attributes, 'text-anchor': across < 0 ? 'end' : 'start', class: 'caption' }, name);
+    }
+  }
+
   #writeLabels(early) {
+    this.#nameCut();
     this.corners.forEach((corner, i) => {
       const isCut = corner[2] < 0;
       if (!isCut || early > 0.5) {
