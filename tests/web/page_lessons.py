@@ -169,8 +169,6 @@ class Lessons(PageCase):
         for (x, y), clip in zip(self.script(places), [clip for clip in corners if clip[3] >= 1]):  # at the end it is the picture
             self.assertAlmostEqual(x, left + (right - left) * (clip[0] / clip[3] + 1) / 2, delta=0.1)
             self.assertAlmostEqual(y, bottom + (top - bottom) * (clip[1] / clip[3] + 1) / 2, delta=0.1)
-        self.browser.save_screenshot(os.path.join(sys.argv[3], "motion_end.png"))
-        slide = "const k = document.querySelector('#motion [name=k]'); k.value = arguments[0]; k.dispatchEvent(new Event('input'))"
         self.assertEqual(self.script("""
             const texts = [...document.querySelectorAll('#motion .flight text')], boxes = texts.map((text) => text.getBBox());
             const rim = document.querySelector('#motion .flight .screen').getBBox();
