@@ -177,6 +177,8 @@ class Lessons(PageCase):
                                                                         a.y < b.y + b.height && b.y < a.y + a.height)),
                     boxes[texts.findIndex((text) => text.textContent.startsWith('screen'))].y >= rim.y + rim.height - 2]"""),
             ["AB,AC,B,C", False, True], "the corners of the table, whose names can be read, and the screen's below it")
+        self.browser.save_screenshot(os.path.join(sys.argv[3], "motion_end.png"))
+        slide = "const k = document.querySelector('#motion [name=k]'); k.value = arguments[0]; k.dispatchEvent(new Event('input'))"
         for k in (0, 0.5):
             self.script(slide, k)
             self.browser.save_screenshot(os.path.join(sys.argv[3], f"motion_{k}.png"))
@@ -196,11 +198,20 @@ class Lessons(PageCase):
         time.sleep(0.2)
         fits = "const room = document.querySelector('#motion .scroll'); return room.scrollWidth <= room.clientWidth"
         self.assertTrue(self.script(fits), "the widest table has room beside the motion")
+        self.script(slide, 1)
+        self.size(390, 844, touch=True)
+        time.sleep(0.2)
+        self.assertTrue(self.script(fits), "and on a phone")
         self.size(1440, 900)
         distance = "const a = document.querySelector('#motion [name=distance]'); a.value = arguments[0]; a.dispatchEvent(new Event('input'))"
         for w, hidden in ((-1, "true"), (2, "false")):  # behind the eye a corner has no place in the picture, and comes back
             self.script(distance, w)
             self.wait(f"rhw.views.motion.handles[0].hasAttribute('hidden') === {hidden}")
+
+    def test_a_picture_that_nobody_has_seen_has_its_numbers(self):
+        self.open("#exercises")
+        self.wait("window.rhw?.views.motion && document.querySelector('#motion table').textContent")
+        self.assertEqual(self.script("return [rhw.views.motion.canvas.width, rhw.views.motion.figure.dataset.drawn ?? '']"), [64, ""])
 
     def test_exercises_are_checked(self):
         self.show("exercises")

@@ -220,7 +220,7 @@ export class View {
   }
 
   explain = () => {
-    if (this.pixel && this.canvas.width) {
+    if (this.pixel && (this.clips || this.#fit())) { // what nobody has seen yet has no size of its own
       this.#prepare(); // others may have used the stage
       this.#tell();
       this.#place();
@@ -271,10 +271,11 @@ export class View {
     scene.draw(stage, this);
   }
 
-  #frame = () => {
+  // Gives the canvas its pixels. Returns false where there is no room.
+  #fit() {
     const [width, high] = sizeOf(this.figure);
-    if (!this.seen || width === 0) {
-      return;
+    if (width === 0) {
+      return false;
     }
     const across = this.scene.width ?? Math.min(Math.round(width * Math.min(devicePixelRatio, 2)), MAX_PIXELS);
     const height = Math.round((across * high) / width);
@@ -282,9 +283,16 @@ export class View {
       this.canvas.width = across;
       this.canvas.height = height;
     }
+    return true;
+  }
+
+  #frame = () => {
+    if (!this.seen || !this.#fit()) {
+      return;
+    }
     this.moved += this.moving;
     this.#prepare();
-    const image = new ImageData(this.stage.draw(), across, height);
+    const image = new ImageData(this.stage.draw(), this.canvas.width, this.canvas.height);
     this.context.putImageData(image, 0, 0);
     this.lines = this.stage.lines();
     this.drawnAt ??= performance.now();
