@@ -213,6 +213,12 @@ class Lessons(PageCase):
         self.wait("window.rhw?.views.motion && document.querySelector('#motion table').textContent")
         self.assertEqual(self.script("return [rhw.views.motion.canvas.width, rhw.views.motion.figure.dataset.drawn ?? '']"), [64, ""])
 
+    def test_no_line_begins_with_the_sign_behind_a_formula(self):
+        loose = ("return [...document.querySelectorAll('rhw-math')].filter((math) => !math.closest('.equation') &&"
+                 " /^[.,;:)，。；：、）]/u.test(math.nextSibling?.data ?? '')).map((math) => math.parentElement.textContent)")
+        self.assertEqual(self.script(loose), [])
+        self.assertGreater(self.script("return document.querySelectorAll('.equation > rhw-math').length"), 4)
+
     def test_exercises_are_checked(self):
         self.show("exercises")
         done = lambda: self.script("return [...document.querySelectorAll('#exercises li')].map((li) => li.classList.contains('done'))")  # noqa: E731

@@ -87,10 +87,22 @@ export function formulaIn(parent, text, values = {}) {
   numbers.get(math).forEach((node) => write(node, values[node.dataset.term]));
 }
 
+// Keeps the sign behind a formula on its line.
+function keepSign(node) {
+  const sign = /^[.,;:)，。；：、）]/u.exec(node.nextSibling?.data ?? '')?.[0];
+  if (sign) {
+    const whole = Object.assign(document.createElement('span'), { className: 'equation' });
+    node.nextSibling.data = node.nextSibling.data.slice(sign.length);
+    node.before(whole);
+    whole.append(node, sign);
+  }
+}
+
 /** Fills every <rhw-math> of the page. */
 export function typeset(root) {
   for (const node of root.querySelectorAll('rhw-math')) {
     node.replaceChildren(formula(node.textContent));
+    keepSign(node);
   }
 }
 
