@@ -219,6 +219,21 @@ class Lessons(PageCase):
         self.assertEqual(self.script(loose), [])
         self.assertGreater(self.script("return document.querySelectorAll('.equation > rhw-math').length"), 4)
 
+    def test_curves_of_depth_have_scales(self):
+        self.show("depth")
+        ends = ("return [...document.querySelectorAll('#depth .plot .curve')].map(({ points }) => Math.min(...[...points].map(({ y }) => y)))")
+        said = [float(word) for word in re.findall(r"0 to ([0-9.]+)", self.node("#depth .legend").text)]
+        self.assertEqual(len(said), 4)
+        self.assertEqual(said[2], said[3], "those of W share theirs")
+        n = self.script("return rhw.views.depth.numbers")
+        tops, floor, here = self.script(ends), *self.script(
+            "const line = document.querySelector('#depth .plot .here'); return [Number(line.getAttribute('y2')), Number(line.getAttribute('x1'))]")
+        full = floor - min(tops)
+        for i, value in enumerate((n["depth"], n["inverse_w"], 1 / n["inverse_w"])):
+            y = self.script("const points = [...document.querySelectorAll('#depth .plot .curve')[arguments[0]].points];"
+                            "return points.reduce((a, b) => Math.abs(a.x - arguments[1]) < Math.abs(b.x - arguments[1]) ? a : b).y", i, here)
+            self.assertAlmostEqual((floor - y) / full * said[i], value, delta=0.03 * value)
+
     def test_exercises_are_checked(self):
         self.show("exercises")
         done = lambda: self.script("return [...document.querySelectorAll('#exercises li')].map((li) => li.classList.contains('done'))")  # noqa: E731

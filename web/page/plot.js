@@ -53,7 +53,7 @@ export class Plot {
       if (place !== null) {
         drawn(this.lines, 'line', { class: 'here', x1: x(place), x2: x(place), y1: TOP, y2: floor });
       }
-      const lines = curves.map((curve) => this.#curve(curve, this.#largest(curve), x, floor));
+      const lines = curves.map((curve) => this.#curve(curve, this.largest(curve), x, floor));
       if (this.handle && place !== null) {
         this.#dots(lines, x(place), floor);
       }
@@ -65,7 +65,8 @@ export class Plot {
     }
   }
 
-  #largest({ scale }) {
+  /** What a curve that is shown has at the upper end of the axis. */
+  largest({ scale }) {
     const alike = this.curves.filter((curve) => curve.scale === scale).flatMap(({ values, ends = [] }) => [...values, ...ends]);
     return Math.max(...alike.filter(Number.isFinite)) || 1;
   }
@@ -74,7 +75,7 @@ export class Plot {
     drawn(this.lines, 'line', { class: 'axis', x1: x(0), x2: x(1), y1: floor, y2: floor });
     drawn(this.lines, 'line', { class: 'axis', x1: x(0), x2: x(0), y1: TOP, y2: floor });
     if (new Set(curves.map(({ scale }) => scale)).size === 1) {
-      const largest = this.#largest(curves[0]);
+      const largest = this.largest(curves[0]);
       for (const part of [0, 0.5, 1]) {
         const y = floor - part * (floor - TOP);
         drawn(this.lines, 'line', { class: 'axis', x1: x(0) - 4, x2: x(0), y1: y, y2: y });

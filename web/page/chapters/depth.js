@@ -3,7 +3,6 @@
 import { choice } from '../controls.js';
 import { termsOf } from '../derivation.js';
 import { hear } from '../heard.js';
-import { whenLanguage } from '../language.js';
 import { formulaIn, short } from '../math.js';
 import { legend, Plot } from '../plot.js';
 import { fill, text } from '../slots.js';
@@ -28,7 +27,13 @@ const CURVES = [
   },
 ];
 
-const AXES = { x: { en: 'place on the screen', zh: '屏幕位置' }, y: '' };
+const AXES = { x: { en: 'place on the screen', zh: '屏幕位置' }, y: { en: 'each from 0 to the number beside its name', zh: '每条从 0 到其名称旁的数' } };
+
+// A curve's name with its scale.
+function named(plot, curve) {
+  const most = short(Number(plot.largest(curve).toPrecision(3)));
+  return { ...curve, name: { en: `${curve.name.en}, 0 to ${most}`, zh: `${curve.name.zh}，0 到 ${most}` } };
+}
 
 export function start(section, stage) {
   const corners = [
@@ -56,11 +61,12 @@ export function start(section, stage) {
     const row = Math.floor(part * ROWS);
     return Array.from({ length: SAMPLES }, (_, x) => stage.explain(x, row));
   };
-  whenLanguage(() => legend(section.querySelector('.legend'), CURVES));
+  const names = section.querySelector('.legend');
   const view = new View(stage, section.querySelector('.view'), scene, (numbers) => {
     const along = sample(view.pixel?.[1] ?? 0.5);
     const curves = CURVES.map((curve) => ({ ...curve, values: along.map((n) => (n ? curve.of(n) : NaN)) }));
     plot.show(curves, view.pixel?.[0] ?? null);
+    legend(names, curves.map((curve) => named(plot, curve)));
     fill(line, () => {
       if (numbers) {
         const terms = termsOf(numbers);
