@@ -105,6 +105,8 @@ class Lessons(PageCase):
                     " const boxes = [...plot.querySelectorAll('.value, .mark text')].map((text) => [text.textContent, text.getBoundingClientRect()]);"
                     " return boxes.flatMap(([one, a], i) => boxes.slice(i + 1).filter(([, b]) =>"
                     " a.left < b.right && b.left < a.right && a.top + 4 < b.bottom && b.top + 4 < a.bottom).map(([other]) => [one, other])); })")
+        captions = self.script("return [...document.querySelectorAll('#inverse .top .caption')].map((text) => text.textContent)")
+        self.assertEqual(captions, ["A'", "B'", "eye", "screen"])
         n = self.script("return rhw.views.inverse.numbers()")
         w, u = n["W_P"], n["b"]
         told = {"w": [[w, n["r"] * n["W_A"] + n["s"] * n["W_B"]], [1 / w]], "u": [[1 / w, u / w], [u, n["s"]]]}

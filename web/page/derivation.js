@@ -206,9 +206,9 @@ const notes = {
     en: `Naive and correct are computed in exact arithmetic. The last row is what rhw, the library that draws this page, put into the picture: by way of the world rhw is ${error.toFixed(2)} ULP from the correct one, by r/W, s/W, t/W it is ${direct.toFixed(2)} (see “pipeline”). ${ULP.en}`,
     zh: `前两行用精确有理数算出，最后一行是绘制本页的库 rhw 实际写入图像的值：经世界空间的结果与正确值相差 ${error.toFixed(2)} ULP，由 r/W、s/W、t/W 求得的（见“管线”）相差 ${direct.toFixed(2)}。${ULP.zh}`,
   }),
-  direct: (error) => ({
-    en: `Naive and correct are computed in exact arithmetic. The last row is what rhw, the library that draws this page, put into the picture: rhw is ${error.toFixed(2)} ULP from the one it was asked for. ${ULP.en}`,
-    zh: `前两行用精确有理数算出，最后一行是绘制本页的库 rhw 实际写入图像的值，与所要求的一行相差 ${error.toFixed(2)} ULP。${ULP.zh}`,
+  direct: (error, asked) => ({
+    en: `Naive and correct are computed in exact arithmetic. The last row is what rhw, the library that draws this page, put into the picture: rhw is ${error.toFixed(2)} ULP from the ${asked.en} one. ${ULP.en}`,
+    zh: `前两行用精确有理数算出，最后一行是绘制本页的库 rhw 实际写入图像的值，与“${asked.zh}”那一行相差 ${error.toFixed(2)} ULP。${ULP.zh}`,
   }),
 };
 
@@ -225,14 +225,14 @@ function valueSection(parent, n, name, size) {
   const { naive, exact, error } = threeWaysOf(n, name, size, written);
   const symbol = name === 'u' ? 'u' : 'I';
   const sum = (weights) => (cell) => formulaIn(cell, weights.map((weight, i) => `${weight}·${symbol}_${NAMES[i]}`).join(' + '));
-  const how = byWorld ? { en: 'by the world', zh: '经世界空间' } : n.smooth === 1 ? 'smooth' : 'noperspective';
+  const how = byWorld ? { en: 'by the world', zh: '经世界空间' } : n.smooth === 1 ? { en: 'divided by W', zh: '除以 W' } : ROWS.naive;
   section(parent, TITLES[name], undefined, (block) => {
     fill(element(block, 'table'), (table) => {
       tableRow(table, ROWS.naive, sum(['r', 's', 't']), digits(naive), 'naive');
       tableRow(table, ROWS.correct, sum(['a', 'b', 'c']), digits(exact), 'correct');
       tableRow(table, ROWS.written, (cell) => text(cell, say(how)), digits(written), 'written');
     });
-    const note = byWorld ? notes.world(error, threeWaysOf(n, name, size).error) : notes.direct(error);
+    const note = byWorld ? notes.world(error, threeWaysOf(n, name, size).error) : notes.direct(error, n.smooth === 1 ? ROWS.correct : ROWS.naive);
     write(element(block, 'p', 'note'), say(note));
   });
   const values = [[ROWS.naive, naive], [ROWS.correct, exact], [ROWS.written, written]];

@@ -4,12 +4,12 @@
 // W, 1/W, u/W and u over the screen, and the edge's stripes as they are seen.
 import { choice } from '../controls.js';
 import { hearNumbers } from '../heard.js';
-import { whenLanguage } from '../language.js';
+import { say, whenLanguage } from '../language.js';
 import { formulaIn, short } from '../math.js';
 import { nameDrawing, percentOf } from '../naming.js';
 import { legend, Plot } from '../plot.js';
 import { sizeOf } from '../size.js';
-import { element, fill, write } from '../slots.js';
+import { element, fill, text as gap, write } from '../slots.js';
 import { numbersIn, numbersText } from '../state.js';
 import { draggable, points, set, svg } from '../svg.js';
 import { takenNote } from '../taken.js';
@@ -22,6 +22,8 @@ const FARTHEST = 6.8; // an end of an edge of another picture, in the drawing
 const NAME = 76; // CSS pixels that the name of an end takes
 const ASIDE = 0.44; // its ends are seen so far to the left and to the right
 const OWN = [[-2, 3], [2.7, 7]];
+
+const CAPTIONS = [{ en: 'eye', zh: '眼睛' }, { en: 'screen', zh: '屏幕' }];
 
 class Drawing {
   constructor(node, changed) {
@@ -47,6 +49,7 @@ class Drawing {
     });
     this.shadow = this.#mark("P'", "P'");
     this.pictures = ["A'", "B'"].map((name) => svg(this.root, 'text', { class: 'caption' }, name));
+    this.names = CAPTIONS.map(() => svg(this.root, 'text', { class: 'caption' }));
     draggable(this.shadow, {
       move: (dx) => this.#slide(dx / this.scale),
       step: (dx) => this.#slide(dx / 100),
@@ -152,6 +155,10 @@ class Drawing {
     set(this.half, { cx: middle[0], cy: middle[1] });
     const eye = this.#at([0, 0]);
     set(this.root.querySelector('.eye'), { cx: eye[0], cy: eye[1] });
+    const rim = this.#at([2.4, this.screenAt]);
+    set(this.names[0], { x: eye[0] + 12, y: eye[1] + 5 });
+    set(this.names[1], { x: rim[0], y: rim[1] + 16, 'text-anchor': 'end' });
+    this.names.forEach((node, i) => write(node, say(CAPTIONS[i])));
     this.ends.forEach((end, i) => {
       set(this.handles[i], { transform: `translate(${this.#at(end)})` });
       set(this.handles[i].lastChild, this.#beside(this.#at(end)[0], end[0] < this.ends[1 - i][0], end[1] < this.ends[1 - i][1]));
@@ -234,8 +241,8 @@ const OF = {
   u: ({ r, s, wA, wB }) => s / wB / (r / wA + s / wB),
   naiveU: ({ s }) => s,
 };
-const NAIVE_W = { name: { en: 'r·WA + s·WB, W mixed: wrong', zh: 'r·WA + s·WB，直接插值的 W：错误' }, kind: 'naive', of: OF.naiveW };
-const NAIVE_U = { name: { en: 's, u mixed: wrong', zh: 's，直接插值的 u：错误' }, kind: 'naive', of: OF.naiveU };
+const NAIVE_W = { name: { en: 'W mixed on the screen: wrong', zh: '直接插值的 W：错误' }, kind: 'naive', of: OF.naiveW };
+const NAIVE_U = { name: { en: 's, u mixed on the screen: wrong', zh: 's，即直接插值的 u：错误' }, kind: 'naive', of: OF.naiveU };
 const INVERSE = { name: { en: '1/W: straight', zh: '1/W：直线' }, kind: 'inverse', of: OF.inverse };
 // What the two plots show, the upper one first. The curves of a plot have one scale.
 const PLOTS = {
@@ -289,11 +296,15 @@ function showLines(panel, terms) {
     for (const [text, term] of LINES) {
       fill(element(panel, 'div', text === term ? 'line beside' : 'line'), (row) => {
         formulaIn(row, text);
-        formulaIn(row, term === 'W_P' ? ', W_P =' : '=');
-        formulaIn(row, term, { [term]: short(terms[term]) });
+        if (term === 'W_P') {
+          gap(row, '\u2003');
+          formulaIn(row, term);
+        }
+        formulaIn(row, `= ${term}`, { [term]: short(terms[term]) });
       });
     }
     fill(element(panel, 'div', 'line naive'), (row) => {
+      write(element(row, 'span', 'what'), say({ en: 'W mixed on the screen:', zh: '直接插值的 W：' }));
       formulaIn(row, 'r·W_A + s·W_B');
       write(element(row, 'span'), `= ${short(terms.r * terms.W_A + terms.s * terms.W_B)}`);
     });
