@@ -63,7 +63,7 @@ bool shader_machine_make(const struct shader_machine_stage *stage, enum rhw_shad
         struct shader_generated made;
         if (shader_generate(&memory, stage, kind, registers_to_use(), false, &made)) {
             block->code = shader_code_map(made.code.bytes, made.code.size);
-            block->size = made.code.size;
+            block->size = block->code ? made.code.size : 0;
             block->entry = made.entry;
         }
     }

@@ -356,7 +356,8 @@ struct x86_operand shader_anywhere(struct shader_generator *g, uint32_t value)
         return x86_reg(v->reg);
     }
     // What is read again soon is worth a register that is free.
-    if (next_use(g, value, 1) - g->place < SOON && free_register(g) >= 0) {
+    const uint32_t next = next_use(g, value, 1);
+    if (next > g->place && next - g->place < SOON && free_register(g) >= 0) {
         return x86_reg(shader_in_register(g, value));
     }
     return shader_home_of(g, value);
