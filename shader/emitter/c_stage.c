@@ -145,7 +145,7 @@ void shader_c_write_stage(struct shader_memory *memory, const struct shader_c_pr
                                      .loops = shader_take(memory, SHADER_MAX_DEPTH + 2, sizeof(uint32_t)),
                                      .is_label_used =
                                          shader_take(memory, form->code_count + 1, sizeof(bool))};
-    shader_make_plan(memory, form, &emitter.plan);
+    shader_make_plan(memory, form, false, &emitter.plan);
     write_body(&emitter);
     write_function(&emitter, file);
 }

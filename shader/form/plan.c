@@ -2,6 +2,8 @@
 // See plan.h.
 #include "plan.h"
 
+enum { WORTH_A_STEP = 60 };
+
 static enum shader_op op_at(const struct shader_plan *plan, uint32_t place)
 {
     return (enum shader_op)plan->form->nodes[plan->form->code[place]].op;
@@ -133,11 +135,60 @@ static void count_uses(struct shader_plan *plan)
 
 // Runs -----------------------------------------------------------------------------------------------
 
+static bool is_mathematics(enum shader_op op)
+{
+    return op >= SHADER_SIN && op <= SHADER_POW;
+}
+
+// Return about how many cycles the operands of an operation wait for its result.
+static uint32_t cycles_of(enum shader_op op)
+{
+    switch (op) {
+    case SHADER_FDIV: return 11;
+    case SHADER_FSQRT: return 18;
+    case SHADER_RSQRT: return 30;
+    case SHADER_POW: return 90;
+    case SHADER_SAMPLE: return 60;
+    default: return is_mathematics(op) ? 45 : 4;
+    }
+}
+
+// Put steps in front of functions that would wait long in their run, outside of structure. Groups whose lanes are all
+// discarded would go through the steps behind, so such code has none.
+static void find_steps(struct shader_memory *memory, struct shader_plan *plan)
+{
+    const struct shader_program *const form = plan->form;
+    uint32_t *const ready = shader_take(memory, form->node_count, sizeof *ready);
+    uint32_t depth = 0, first = 0;
+    for (uint32_t i = 0; i < form->code_count && !plan->loses_lanes; i++) {
+        const enum shader_op op = op_at(plan, i);
+        depth += opens(op) ? 1 : 0;
+        depth -= closes(op) ? 1 : 0;
+        if (plan->is_hoisted[form->code[i]]) {
+            continue;
+        }
+        uint32_t count, start = 0;
+        const uint32_t *const operands = operands_at(plan, i, &count);
+        for (uint32_t o = 0; o < count; o++) {
+            const uint32_t at = plan->place[operands[o]];
+            const bool is_near = at != SHADER_NONE && at >= first && !plan->is_hoisted[operands[o]];
+            start = is_near && ready[operands[o]] > start ? ready[operands[o]] : start;
+        }
+        if (depth == 0 && is_mathematics(op) && start >= WORTH_A_STEP) {
+            plan->is_step[i] = plan->has_cuts = true;
+            first = i;
+            start = 0;
+        }
+        ready[form->code[i]] = start + cycles_of(op);
+    }
+}
+
 // Number the runs from a place to another. Return the number of the run that is open at the end.
 static uint32_t number_runs(struct shader_plan *plan, uint32_t begin, uint32_t end, uint32_t run)
 {
     for (uint32_t i = begin; i < end; i++) {
         const enum shader_op op = op_at(plan, i);
+        run += plan->is_step[i] ? 1 : 0;
         if (shader_is_cut(plan, i)) {
             plan->run[i] = op == SHADER_BARRIER ? SHADER_NONE : run + 1; // an atomic is a run of its own
             run += 2;
@@ -382,7 +433,7 @@ static void find_types(struct shader_plan *plan)
     }
 }
 
-void shader_make_plan(struct shader_memory *memory, const struct shader_program *form,
+void shader_make_plan(struct shader_memory *memory, const struct shader_program *form, bool has_steps,
                       struct shader_plan *plan)
 {
     const uint32_t nodes = form->node_count, places = form->code_count + 1;
@@ -391,6 +442,7 @@ void shader_make_plan(struct shader_memory *memory, const struct shader_program 
                                  .place = shader_take(memory, nodes, sizeof(uint32_t)),
                                  .block = shader_take(memory, places, sizeof(uint32_t)),
                                  .run = shader_take(memory, places, sizeof(uint32_t)),
+                                 .is_step = shader_take(memory, places, sizeof(bool)),
                                  .uses = shader_take(memory, nodes, sizeof(uint32_t)),
                                  .last_use = shader_take(memory, nodes, sizeof(uint32_t)),
                                  .is_float = shader_take(memory, nodes, sizeof(bool)),
@@ -406,10 +458,16 @@ void shader_make_plan(struct shader_memory *memory, const struct shader_program 
     for (uint32_t i = 0; i < form->code_count; i++) {
         plan->has_cuts = plan->has_cuts || shader_is_cut(plan, i);
     }
+    find_hoisted(plan);
+    const bool meets = plan->has_cuts;
+    // With steps each group would have the memory of the lanes to itself.
+    if (has_steps && form->private_count == 0) {
+        find_steps(memory, plan);
+    }
+    plan->has_steps_alone = plan->has_cuts && !meets;
     const uint32_t last_run = number_runs(plan, 0, form->code_count, 0);
     plan->first_home = shader_take(memory, last_run + 1, sizeof(uint32_t));
     plan->next_home = shader_take(memory, nodes, sizeof(uint32_t));
-    find_hoisted(plan);
     find_kept(memory, plan);
     find_types(plan);
 }

@@ -6,6 +6,9 @@
 // through it together. The code between cuts and wide structure is a run, through which one group goes after the
 // other. What one run computes and another reads is kept in an array with an element for each group. Without a cut
 // there is one run.
+//
+// A group by itself may be one long chain of operations that wait for each other. A step ends a run in front of a
+// function that would wait long, so that the processor computes it of many groups at the same time.
 #ifndef SHADER_PLAN_H
 #define SHADER_PLAN_H
 
@@ -28,6 +31,7 @@ struct shader_plan {
     uint32_t *place;                     // by value: where it stands in the code, or SHADER_NONE
     uint32_t *block;                     // by place: number of the block around it
     uint32_t *run;             // by place: number of the run, or SHADER_NONE at cuts and wide structure
+    bool *is_step;             // by place: a run begins here, for speed
     uint32_t *uses, *last_use; // by value: how often it is read, and a place where it is read
     bool *is_float;            // by value: what it is declared as
     bool *is_hoisted;          // by value: it is computed once a call
@@ -35,14 +39,15 @@ struct shader_plan {
     uint32_t *home_run;        // by value: the run that a home belongs to; SHADER_NONE: it is kept
     uint32_t *first_home;      // by run: the first of its homes, counted from 1
     uint32_t *next_home;       // by value: the next home of its run, counted from 1
-    bool has_cuts, has_effects, loses_lanes;
+    bool has_cuts, has_effects, loses_lanes; // steps are among the cuts
+    bool has_steps_alone;                    // it shows nowhere how many groups go through the code together
 };
 
 bool shader_is_cut(const struct shader_plan *plan, uint32_t place);
 bool shader_is_wide(const struct shader_plan *plan, uint32_t place);
 // Return true for the home of a resource that is found once a call, which serves everywhere in the place of its home.
 bool shader_is_resource_home(const struct shader_plan *plan, uint32_t value);
-void shader_make_plan(struct shader_memory *memory, const struct shader_program *form,
+void shader_make_plan(struct shader_memory *memory, const struct shader_program *form, bool has_steps,
                       struct shader_plan *plan);
 
 #endif

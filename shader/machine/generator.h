@@ -23,6 +23,7 @@ struct shader_machine_frame {
     unsigned char *groups, *records; // first of the groups that go through the code together
     uint64_t record_size;
     uint32_t count;      // groups of the call that are left
+    uint32_t batch;      // as many groups go through the code together at most
     uint32_t here, left; // groups that go through the code together, and those of a run that are left
     uint32_t rounds;     // rounds of loops until now
     uint32_t number;     // what a call receives

@@ -3,7 +3,7 @@
 // begins behind its code, because only then it is known how much of the stack it takes.
 #include "generator.h"
 
-enum { SAVED = 5, WORD = 8, PAGE = 4096 - 64, MAX_STACK = 160 << 10 };
+enum { SAVED = 5, WORD = 8, PAGE = 4096 - 64, MAX_STACK = 160 << 10, NEAR = 16 << 10, FEWEST = 4 };
 
 static const int saved[SAVED] = {X86_RBX, X86_R12, X86_R13, X86_R14, X86_R15};
 
@@ -147,9 +147,9 @@ static void generate_batches(struct shader_generator *g)
     const uint32_t again = shader_label_new(&g->code), fits = shader_label_new(&g->code);
     shader_label_place(&g->code, again);
     shader_put(g, X86_MOV, X86_RAX, 0, SHADER_FRAME(count));
-    put_immediate(g, X86_CMP_I, x86_reg(X86_RAX), (int32_t)g->stage->batch);
+    shader_put(g, X86_CMP, X86_RAX, 0, SHADER_FRAME(batch));
     shader_encode_jump_if(&g->code, X86_BELOW_EQUAL, fits);
-    shader_encode_number(&g->code, X86_RAX, g->stage->batch);
+    shader_put(g, X86_MOV, X86_RAX, 0, SHADER_FRAME(batch));
     shader_label_place(&g->code, fits);
     shader_put(g, X86_MOV_STORE, X86_RAX, 0, SHADER_FRAME(here));
     begin_records(g);
@@ -186,6 +186,17 @@ static void generate_body(struct shader_generator *g)
     shader_encode_return(&g->code);
 }
 
+// Return how many groups go through the code together. Where there are steps alone, what they keep stays near.
+static uint32_t batch_of(const struct shader_generator *g)
+{
+    const uint32_t most = g->stage->batch;
+    if (!g->plan.has_steps_alone || g->record_size * most <= NEAR) {
+        return most;
+    }
+    const uint32_t near = NEAR / g->record_size, few = most < FEWEST ? most : FEWEST;
+    return near < few ? few : near;
+}
+
 // Where the function begins. It goes to its body.
 static void generate_entry(struct shader_generator *g, uint32_t body)
 {
@@ -198,7 +209,8 @@ static void generate_entry(struct shader_generator *g, uint32_t body)
     for (int i = 0; i < SAVED; i++) {
         shader_encode(&g->code, X86_PUSH, saved[i], 0, x86_reg(0), 0);
     }
-    const int32_t size = (int32_t)(g->frame_size + g->stage->batch * g->record_size);
+    const uint32_t batch = batch_of(g);
+    const int32_t size = (int32_t)(g->frame_size + batch * g->record_size);
     int32_t left = size;
     for (; left > PAGE; left -= PAGE) { // no page is stepped over, as one may guard the stack
         put_immediate(g, X86_SUB_I | X86_WIDE, x86_reg(X86_RSP), PAGE);
@@ -214,6 +226,7 @@ static void generate_entry(struct shader_generator *g, uint32_t body)
         put_pointer(g, X86_RDI, x86_at(X86_RDI, offsetof(struct rhw_workgroup, groups)));
     }
     store_pointer(g, X86_RDI, SHADER_FRAME(groups));
+    put_immediate(g, X86_MOV_I, SHADER_FRAME(batch), (int32_t)batch);
     shader_put(g, X86_MOV_STORE, X86_RSI, 0, SHADER_FRAME(count));
     shader_put(g, X86_MOV_STORE, X86_RSI, 0, SHADER_FRAME(here));
     shader_put(g, X86_LEA | X86_WIDE, X86_RAX, 0, x86_at(X86_RSP, (int32_t)g->frame_size));
@@ -224,8 +237,8 @@ static void generate_entry(struct shader_generator *g, uint32_t body)
     shader_encode_jump(&g->code, body);
 }
 
-bool shader_generate(struct shader_memory *memory, const struct shader_machine_stage *stage,
-                     enum rhw_shader_stage kind, int registers, bool has_records,
+static bool generate(struct shader_memory *memory, const struct shader_machine_stage *stage,
+                     enum rhw_shader_stage kind, int registers, bool has_records, bool has_steps,
                      struct shader_generated *made)
 {
     const uint32_t places = stage->form->code_count + 1;
@@ -236,7 +249,7 @@ bool shader_generate(struct shader_memory *memory, const struct shader_machine_s
                                  .allowed = (1u << registers) - 1,
                                  .ends = shader_take(memory, places, sizeof *g.ends),
                                  .left = shader_take(memory, places, sizeof *g.left)};
-    shader_make_plan(memory, stage->form, &g.plan);
+    shader_make_plan(memory, stage->form, has_steps, &g.plan);
     shader_encoder_init(&g.code, memory);
     g.code.has_records = has_records;
     shader_registers_init(&g);
@@ -245,7 +258,7 @@ bool shader_generate(struct shader_memory *memory, const struct shader_machine_s
     g.exit = shader_label_new(&g.code);
     shader_label_place(&g.code, body);
     generate_body(&g);
-    if (g.frame_size + (uint64_t)stage->batch * g.record_size > MAX_STACK) {
+    if (g.frame_size + (uint64_t)batch_of(&g) * g.record_size > MAX_STACK) {
         return false;
     }
     made->entry = g.code.size;
@@ -253,4 +266,15 @@ bool shader_generate(struct shader_memory *memory, const struct shader_machine_s
     (void)shader_encoder_finish(&g.code);
     made->code = g.code;
     return true;
+}
+
+bool shader_generate(struct shader_memory *memory, const struct shader_machine_stage *stage,
+                     enum rhw_shader_stage kind, int registers, bool has_records,
+                     struct shader_generated *made)
+{
+    const uint32_t *const size = stage->form->entry->local_size;
+    const bool has_steps = kind != RHW_SHADER_COMPUTE || size[0] * size[1] * size[2] > FEWEST / 2 * RHW_LANES;
+    // What groups keep from step to step may be more than the stack has room for.
+    return generate(memory, stage, kind, registers, has_records, has_steps, made) ||
+           (has_steps && generate(memory, stage, kind, registers, has_records, false, made));
 }

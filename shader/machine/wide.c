@@ -272,6 +272,9 @@ static void generate_wide(struct shader_generator *g, uint32_t begin, uint32_t e
         } else if (g->plan.is_hoisted[g->form->code[i]]) {
             i++;
         } else {
+            if (g->plan.is_step[i]) {
+                close_run(g);
+            }
             open_run(g, i);
             i = shader_generate_item(g, i);
         }

@@ -134,6 +134,35 @@ static void test_what_lanes_do_together_has_names(void **state)
     expect_order(parts, sizeof parts / sizeof *parts);
 }
 
+// Print the machine code of a compute shader, and expect its parts.
+static void expect_code(const char *source, const char *const *parts, int count)
+{
+    char message[RHW_SHADER_MESSAGE];
+    size_t length = 0;
+    rhw_shader *shader;
+    rhw_shader_program *program;
+    struct glsl_code code;
+    const struct rhw_shader_def def = {.stage = RHW_SHADER_COMPUTE};
+    if (!glsl_is_there()) {
+        skip();
+    }
+    assert_true(glsl_compile(RHW_SHADER_COMPUTE, source, strlen(source), "x.frag",
+                             &(struct glsl_options){.has_lines = true}, &code, message, sizeof message));
+    assert_int_equal(rhw_shader_create(code.words, code.size, &def, &shader, message), RHW_OK);
+    glsl_code_free(&code);
+    const struct rhw_shader_program_def linked = {.compute = shader};
+    assert_int_equal(rhw_shader_program_create(&linked, &program, message), RHW_OK);
+    rhw_shader_destroy(shader);
+    assert_int_equal(rhw_shader_program_print_code(program, RHW_SHADER_COMPUTE, keep, &length, message),
+                     RHW_OK);
+    expect_order(parts, count);
+    length = 0;
+    assert_int_equal(rhw_shader_program_print_code(program, RHW_SHADER_VERTEX, keep, &length, message),
+                     RHW_ERROR_MISUSE);
+    assert_int_equal(length, 0);
+    rhw_shader_program_destroy(program);
+}
+
 static void test_machine_code_stands_beside_its_source(void **state)
 {
     (void)state;
@@ -156,30 +185,22 @@ static void test_machine_code_stands_beside_its_source(void **state)
                                         "  ret\n",
                                         "  push rbp\n",
                                         "  jmp L0\n"};
-    char message[RHW_SHADER_MESSAGE];
-    size_t length = 0;
-    rhw_shader *shader;
-    rhw_shader_program *program;
-    struct glsl_code code;
-    const struct rhw_shader_def def = {.stage = RHW_SHADER_COMPUTE};
-    if (!glsl_is_there()) {
-        skip();
-    }
-    assert_true(glsl_compile(RHW_SHADER_COMPUTE, twice, strlen(twice), "x.frag",
-                             &(struct glsl_options){.has_lines = true}, &code, message, sizeof message));
-    assert_int_equal(rhw_shader_create(code.words, code.size, &def, &shader, message), RHW_OK);
-    glsl_code_free(&code);
-    const struct rhw_shader_program_def linked = {.compute = shader};
-    assert_int_equal(rhw_shader_program_create(&linked, &program, message), RHW_OK);
-    rhw_shader_destroy(shader);
-    assert_int_equal(rhw_shader_program_print_code(program, RHW_SHADER_COMPUTE, keep, &length, message),
-                     RHW_OK);
-    expect_order(parts, sizeof parts / sizeof *parts);
-    length = 0;
-    assert_int_equal(rhw_shader_program_print_code(program, RHW_SHADER_VERTEX, keep, &length, message),
-                     RHW_ERROR_MISUSE);
-    assert_int_equal(length, 0);
-    rhw_shader_program_destroy(program);
+    expect_code(twice, parts, sizeof parts / sizeof *parts);
+}
+
+// The sine would wait for two functions, so all groups go through those first.
+static void test_a_chain_of_functions_is_taken_in_steps(void **state)
+{
+    (void)state;
+    static const char chain[] = "layout(local_size_x = 64) in;\n"
+                                "layout(binding = 0) buffer B { float b[]; };\n"
+                                "void main() {\n"
+                                "    float x = b[gl_LocalInvocationIndex];\n"
+                                "    b[gl_LocalInvocationIndex] = sin(exp(log(x))) + x;\n"
+                                "}\n";
+    static const char *const parts[] = {" = log v", " = exp v",     "  jne L",
+                                        " = sin v", "  vaddps ymm", "  jne L"};
+    expect_code(chain, parts, sizeof parts / sizeof *parts);
 }
 
 static void test_nothing_is_printed_of_what_is_refused(void **state)
@@ -203,6 +224,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_instructions_have_registers),
     cmocka_unit_test(test_what_lanes_do_together_has_names),
     cmocka_unit_test(test_machine_code_stands_beside_its_source),
+    cmocka_unit_test(test_a_chain_of_functions_is_taken_in_steps),
     cmocka_unit_test(test_nothing_is_printed_of_what_is_refused),
 };
 
