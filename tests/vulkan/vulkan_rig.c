@@ -114,7 +114,7 @@ void rig_keep(struct rig *rig, VkObjectType type, uint64_t handle)
     rig->things[rig->thing_count++] = (struct rig_thing){type, handle};
 }
 
-static void destroy(VkDevice device, const struct rig_thing *thing)
+void rig_destroy(VkDevice device, const struct rig_thing *thing)
 {
     switch (thing->type) {
 #define DESTROY(type, name) \
@@ -133,6 +133,8 @@ static void destroy(VkDevice device, const struct rig_thing *thing)
         DESTROY(PIPELINE_CACHE, PipelineCache)
         DESTROY(RENDER_PASS, RenderPass)
         DESTROY(FRAMEBUFFER, Framebuffer)
+        DESTROY(COMMAND_POOL, CommandPool)
+        DESTROY(FENCE, Fence)
 #undef DESTROY
     case VK_OBJECT_TYPE_DEVICE_MEMORY: vkFreeMemory(device, (VkDeviceMemory)thing->handle, NULL); break;
     default: fail_msg("a thing of type %d is not destroyed", (int)thing->type);
@@ -144,7 +146,7 @@ void rig_close(struct rig *rig)
     assert_int_equal(vkDeviceWaitIdle(rig->device), rig->is_lost ? VK_ERROR_DEVICE_LOST : VK_SUCCESS);
     vkDestroyCommandPool(rig->device, rig->pool, NULL);
     while (rig->thing_count > 0) {
-        destroy(rig->device, &rig->things[--rig->thing_count]);
+        rig_destroy(rig->device, &rig->things[--rig->thing_count]);
     }
     vkDestroyDevice(rig->device, NULL);
     if (rig->messenger) {

@@ -90,6 +90,7 @@ void rig_bind_image(struct rig *rig, VkDescriptorSet set, uint32_t binding, VkDe
 
 // Destroy a handle with the rig. It is cast to 64 bits.
 void rig_keep(struct rig *rig, VkObjectType type, uint64_t handle);
+void rig_destroy(VkDevice device, const struct rig_thing *thing);
 #define RIG_KEEP(rig, type, handle) rig_keep(rig, VK_OBJECT_TYPE_##type, (uint64_t)(handle))
 
 #endif
