@@ -56,20 +56,22 @@ static void queries_count_samples_and_time(void **state)
     drawing_open(&drawing);
     struct rig *const rig = &drawing.rig;
     VkQueryPool samples = make_queries(&drawing, VK_QUERY_TYPE_OCCLUSION, 3);
-    VkQueryPool times = make_queries(&drawing, VK_QUERY_TYPE_TIMESTAMP, 2);
+    VkQueryPool times = make_queries(&drawing, VK_QUERY_TYPE_TIMESTAMP, 4);
     const struct rig_buffer copied = rig_buffer(rig, 2 * sizeof(uint64_t), NULL);
-    uint64_t counts[2][2], at[2];
+    uint64_t counts[2][2], at[4];
     vkCmdWriteTimestamp(rig->commands, VK_PIPELINE_STAGE_TOP_OF_PIPE_BIT, times, 0);
     picture_begin(&drawing.picture);
     vkCmdBeginQuery(rig->commands, samples, 0, VK_QUERY_CONTROL_PRECISE_BIT);
     draw_half(&drawing, rig->commands);
     vkCmdEndQuery(rig->commands, samples, 0);
+    vkCmdWriteTimestamp(rig->commands, VK_PIPELINE_STAGE_TOP_OF_PIPE_BIT, times, 1);
+    vkCmdWriteTimestamp(rig->commands, VK_PIPELINE_STAGE_TOP_OF_PIPE_BIT, times, 2);
     vkCmdBeginQuery(rig->commands, samples, 1, 0);
     vkCmdEndQuery(rig->commands, samples, 1);
     picture_end(&drawing.picture);
     vkCmdCopyQueryPoolResults(rig->commands, samples, 0, 2, copied.buffer, 0, sizeof(uint64_t),
                               VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT);
-    vkCmdWriteTimestamp(rig->commands, VK_PIPELINE_STAGE_BOTTOM_OF_PIPE_BIT, times, 1);
+    vkCmdWriteTimestamp(rig->commands, VK_PIPELINE_STAGE_BOTTOM_OF_PIPE_BIT, times, 3);
     rig_run(rig);
     CHECK(vkGetQueryPoolResults(rig->device, samples, 0, 2, sizeof counts, counts, sizeof counts[0],
                                 VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WITH_AVAILABILITY_BIT));
@@ -80,9 +82,9 @@ static void queries_count_samples_and_time(void **state)
     assert_int_equal(vkGetQueryPoolResults(rig->device, samples, 2, 1, sizeof counts, counts,
                                            sizeof counts[0], VK_QUERY_RESULT_64_BIT),
                      VK_NOT_READY);
-    CHECK(vkGetQueryPoolResults(rig->device, times, 0, 2, sizeof at, at, sizeof at[0],
+    CHECK(vkGetQueryPoolResults(rig->device, times, 0, 4, sizeof at, at, sizeof at[0],
                                 VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT));
-    assert_true(at[0] < at[1]);
+    assert_true(at[0] < at[1] && at[1] <= at[2] && at[2] < at[3]);
     vkDestroyQueryPool(rig->device, samples, NULL);
     vkDestroyQueryPool(rig->device, times, NULL);
     rig_close(rig);

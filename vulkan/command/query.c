@@ -61,10 +61,12 @@ void vulkan_query_suspend(struct vulkan_replay *replay)
 
 void vulkan_query_collect(struct vulkan_replay *replay)
 {
+    // One time for all, since the list is not in their order.
+    const uint64_t now = replay->parts ? vulkan_now() : 0;
     for (struct vulkan_query_part *part = replay->parts; part; part = part->next) {
         uint64_t value = 0;
         if (part->query.context == 0) {
-            value = vulkan_now();
+            value = now;
         } else {
             struct rhw_query_counts counts = {0};
             if (replay->result == VK_SUCCESS) {
