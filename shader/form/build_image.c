@@ -287,6 +287,7 @@ static void build_attachment_read(struct shader_builder *builder)
     const uint32_t view = shader_number(builder, builder->program->view_index);
     builder->program->reads_view_index = true;
     access.values[SHADER_IMAGE_COORDINATES + 2] = shader_emit(builder, SHADER_IADD, layer, view, 0);
+    access.flags |= SHADER_IMAGE_IS_ARRAYED;
     (void)take_operands(builder, &access, 5);
     finish_access(builder, &access);
 }

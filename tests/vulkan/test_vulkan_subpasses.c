@@ -277,10 +277,100 @@ static void every_view_is_drawn_with_its_number(void **unused)
     rig_close(&rig);
 }
 
+// Create a pass that reads attachment 0 and draws into attachment 1, views 0 and 2 of images with three layers.
+static VkRenderPass make_view_reading_pass(struct rig *rig)
+{
+    static const uint32_t mask = 5;
+    const VkAttachmentDescription attachments[2] = {
+        {.format = VK_FORMAT_R8G8B8A8_UNORM,
+         .samples = VK_SAMPLE_COUNT_1_BIT,
+         .loadOp = VK_ATTACHMENT_LOAD_OP_LOAD,
+         .storeOp = VK_ATTACHMENT_STORE_OP_STORE,
+         .initialLayout = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL,
+         .finalLayout = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL},
+        {.format = VK_FORMAT_R8G8B8A8_UNORM,
+         .samples = VK_SAMPLE_COUNT_1_BIT,
+         .loadOp = VK_ATTACHMENT_LOAD_OP_CLEAR,
+         .storeOp = VK_ATTACHMENT_STORE_OP_STORE,
+         .finalLayout = VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL}};
+    const VkAttachmentReference input = {0, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL},
+                                color = {1, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL};
+    const VkSubpassDescription subpass = {.colorAttachmentCount = 1,
+                                          .pColorAttachments = &color,
+                                          .inputAttachmentCount = 1,
+                                          .pInputAttachments = &input};
+    const VkRenderPassMultiviewCreateInfo views = {
+        .sType = VK_STRUCTURE_TYPE_RENDER_PASS_MULTIVIEW_CREATE_INFO, .subpassCount = 1, .pViewMasks = &mask};
+    const VkRenderPassCreateInfo info = {.sType = VK_STRUCTURE_TYPE_RENDER_PASS_CREATE_INFO,
+                                         .pNext = &views,
+                                         .attachmentCount = 2,
+                                         .pAttachments = attachments,
+                                         .subpassCount = 1,
+                                         .pSubpasses = &subpass};
+    VkRenderPass pass;
+    CHECK(vkCreateRenderPass(rig->device, &info, NULL, &pass));
+    RIG_KEEP(rig, RENDER_PASS, pass);
+    return pass;
+}
+
+static void every_view_reads_its_own_layer(void **unused)
+{
+    (void)unused;
+    struct rig rig;
+    struct picture picture;
+    struct picture_state state;
+    static const VkDescriptorSetLayoutBinding binding = {0, VK_DESCRIPTOR_TYPE_INPUT_ATTACHMENT, 1,
+                                                         VK_SHADER_STAGE_FRAGMENT_BIT, NULL};
+    rig_open(&rig);
+    picture_init(&picture, &rig, false, VK_SAMPLE_COUNT_1_BIT);
+    const struct rig_image given =
+        rig_layers(&rig, VK_FORMAT_R8G8B8A8_UNORM, PICTURE_SIZE, PICTURE_SIZE, 3,
+                   VK_IMAGE_USAGE_INPUT_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT);
+    const struct rig_image image =
+        rig_layers(&rig, VK_FORMAT_R8G8B8A8_UNORM, PICTURE_SIZE, PICTURE_SIZE, 3,
+                   VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT);
+    static uint32_t texels[3 * PICTURE_TEXELS]; // ABGR: red of layer 0, green of layer 1, blue of layer 2
+    for (int i = 0; i < 3 * PICTURE_TEXELS; i++) {
+        texels[i] = 0xff000000 | UINT32_C(0xff) << 8 * (i / PICTURE_TEXELS);
+    }
+    rig_write(&rig, &given, texels, 4, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
+    picture.pass = make_view_reading_pass(&rig);
+    const VkImageView views[2] = {given.view, image.view};
+    const VkFramebufferCreateInfo info = {.sType = VK_STRUCTURE_TYPE_FRAMEBUFFER_CREATE_INFO,
+                                          .renderPass = picture.pass,
+                                          .attachmentCount = 2,
+                                          .pAttachments = views,
+                                          .width = PICTURE_SIZE,
+                                          .height = PICTURE_SIZE,
+                                          .layers = 1};
+    CHECK(vkCreateFramebuffer(rig.device, &info, NULL, &picture.framebuffer));
+    RIG_KEEP(&rig, FRAMEBUFFER, picture.framebuffer);
+    VkDescriptorSetLayout set_layout = rig_set_layout(&rig, &binding, 1);
+    VkPipelineLayout layout = rig_layout(&rig, &set_layout, 1, 36);
+    VkDescriptorSet set = rig_set(&rig, set_layout);
+    rig_bind_image(&rig, set, 0, VK_DESCRIPTOR_TYPE_INPUT_ATTACHMENT, given.view, VK_NULL_HANDLE,
+                   VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
+    picture_state(&state, &picture, rig_shader(&rig, quad_vert, sizeof quad_vert),
+                  rig_shader(&rig, invert_frag, sizeof invert_frag), layout);
+    VkPipeline pipeline = picture_pipeline(&picture, &state, picture.pass, 0);
+    const float all[9] = {-1, -1, 1, 1};
+    picture_begin(&picture);
+    vkCmdBindPipeline(rig.commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline);
+    vkCmdBindDescriptorSets(rig.commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout, 0, 1, &set, 0, NULL);
+    vkCmdPushConstants(rig.commands, layout, VK_SHADER_STAGE_ALL, 0, sizeof all, all);
+    vkCmdDraw(rig.commands, 6, 1, 0, 0);
+    picture.color = image;
+    picture_end(&picture);
+    assert_int_equal(picture_texel(&picture, 30, 30), 0x00ffffff);
+    assert_int_equal(picture_texel(&picture, 30, 2 * PICTURE_SIZE + 30), 0xffff00ff);
+    rig_close(&rig);
+}
+
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(a_subpass_reads_what_the_one_before_drew),
     cmocka_unit_test(a_barrier_shows_what_the_subpass_drew),
     cmocka_unit_test(every_view_is_drawn_with_its_number),
+    cmocka_unit_test(every_view_reads_its_own_layer),
 };
 
 const struct unit_tests test_vulkan_subpasses = UNIT_TESTS(tests, NULL, NULL);
