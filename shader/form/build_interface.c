@@ -150,6 +150,8 @@ static void add_built_in(struct interface_walk *walk, const struct shader_type *
             shader_build_refuse(builder, "built-in %d has at most %u components", number,
                                 (unsigned)table[i].components);
         }
+        builder->program->shades_samples |=
+            !is_output && (number == SPIRV_SAMPLE_ID || number == SPIRV_SAMPLE_POSITION);
         for (uint32_t c = 0; c < type->scalars; c++) {
             // Distances of fragments are interpolated as other inputs are.
             const bool is_varying = table[i].slot >= SHADER_IN_CLIP_DISTANCE && !is_output;
@@ -202,6 +204,7 @@ static void add_components(struct interface_walk *walk, const struct shader_type
         if (!is_output) {
             const bool is_integer = shader_scalar_type(type)->kind == SHADER_INT;
             builder->program->interpolation[first + i] = is_integer ? SHADER_FLAT : interpolation;
+            builder->program->shades_samples |= (interpolation & SHADER_AT_SAMPLE) != 0;
         }
         add_scalar(walk, SHADER_INPUT, first + i);
     }

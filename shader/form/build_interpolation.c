@@ -2,6 +2,8 @@
 // Inputs of fragments at other places than they are declared for.
 #include "build.h"
 
+enum { HALF = 0x3f000000 }; // bits of 0.5
+
 enum { GLSL_INTERPOLATE_AT_CENTROID = 76, GLSL_INTERPOLATE_AT_SAMPLE, GLSL_INTERPOLATE_AT_OFFSET };
 
 // The input, whose place its declaration gives, at another place.
@@ -44,6 +46,14 @@ static void take_offset(struct shader_builder *builder, uint32_t instruction, ui
         offset[i] = instruction == GLSL_INTERPOLATE_AT_OFFSET
                         ? scalars[i]
                         : shader_emit(builder, i == 0 ? SHADER_SAMPLE_X : SHADER_SAMPLE_Y, scalars[0], 0, 0);
+    }
+    // Where a fragment is one sample, inputs are taken there and not at the centre.
+    for (uint32_t i = 0; i < 2 && builder->program->shades_samples; i++) {
+        const uint32_t half = shader_number(builder, HALF);
+        const uint32_t at =
+            shader_emit_with(builder, SHADER_BUILT_IN, SHADER_IN_SAMPLE_POSITION + i, 0, 0, 0);
+        const uint32_t own = shader_emit(builder, SHADER_FSUB, at, half, 0);
+        offset[i] = shader_emit(builder, SHADER_FSUB, offset[i], own, 0);
     }
 }
 

@@ -121,6 +121,7 @@ struct shader_program {
     bool has_barriers, uses_atomic_results;
     uint32_t view_index; // value of ViewIndex
     bool reads_view_index;
+    bool shades_samples; // a fragment is one sample: an input is declared so, or the sample is built in
 };
 
 // Operands of SHADER_SAMPLE and SHADER_IMAGE_STORE, in their list. Value 0, the constant 0, stands where there is none;

@@ -11,6 +11,7 @@
 #include "interface_frag.h"
 #include "interface_vert.h"
 #include "places_frag.h"
+#include "places_sample_frag.h"
 #include "places_vert.h"
 #include "sample_frag.h"
 
@@ -213,6 +214,30 @@ static void test_inputs_are_taken_at_other_places(void **state)
     close_rig(&rig, program);
 }
 
+static void test_samples_look_at_other_places(void **state)
+{
+    (void)state;
+    struct rig rig;
+    rhw_shader_program *const program = open_rig(&rig, SPIRV_CREATE(places_vert, RHW_SHADER_VERTEX),
+                                                 SPIRV_CREATE(places_sample_frag, RHW_SHADER_FRAGMENT), 2);
+    const struct rhw_shader_frame frame = {.samples = 4};
+    struct rig_vertex vertices[3];
+    rig.pass.samples = 4;
+    make_places(&rig, corners, vertices);
+    draw(&rig, vertices, sizeof vertices, &frame);
+    float pixels[2][PIXELS][4], position[2];
+    read_target(&rig, 0, pixels[0]);
+    read_target(&rig, 1, pixels[1]);
+    assert_true(rhw_sample_position(4, 1, position));
+    const double expected[2][4] = {{0.25, -0.5, 0, 0},
+                                   {(double)position[0] - 0.5, (double)position[1] - 0.5, 0, 0}};
+    for (int i = 0; i < PIXELS * 8; i++) {
+        const int t = i / (PIXELS * 4), p = i / 4 % PIXELS, c = i % 4;
+        assert_true(fabs((double)pixels[t][p][c] - expected[t][c]) < 1e-4);
+    }
+    close_rig(&rig, program);
+}
+
 // Where a triangle covers a part of a pixel, values at its centroid are those of one of the samples.
 static void test_centroids_lie_within_the_triangle(void **state)
 {
@@ -355,6 +380,7 @@ static void test_an_input_that_is_not_written_is_named(void **state)
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_varyings_keep_their_qualifiers),
     cmocka_unit_test(test_inputs_are_taken_at_other_places),
+    cmocka_unit_test(test_samples_look_at_other_places),
     cmocka_unit_test(test_centroids_lie_within_the_triangle),
     cmocka_unit_test(test_attachments_are_read_at_the_pixel),
     cmocka_unit_test(test_second_source_blends),
