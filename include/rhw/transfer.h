@@ -97,10 +97,10 @@ struct rhw_blit_region {
 /// Scale a region of a texture to the size of a region of another texture, and write it there. The image is mirrored on
 /// an axis if exactly one of the two regions is (Vulkan 1.3, "Image Copies With Scaling"). Values of one format become
 /// values of the other format; sRGB values are converted by way of linear light. A UINT format goes only to UINT
-/// formats and a SINT format only to SINT formats, which take the low bits. Slices of a 3D texture are scaled as
-/// columns and rows are; layers become as many layers or slices. A linear filter repeats the texels at the edge of the
-/// region. Integers, depth and stencil take RHW_FILTER_NEAREST. Depth and stencil formats must be equal. Textures must
-/// have one sample. It is misuse if the regions overlap in one texture.
+/// formats and a SINT format only to SINT formats, which take the nearest value that they hold. Slices of a 3D texture
+/// are scaled as columns and rows are; layers become as many layers or slices. A linear filter repeats the texels at
+/// the edge of the region. Integers, depth and stencil take RHW_FILTER_NEAREST. Depth and stencil formats must be
+/// equal. Textures must have one sample. It is misuse if the regions overlap in one texture.
 RHW_API enum rhw_result rhw_texture_blit(rhw_context *context, rhw_texture from_texture,
                                          const struct rhw_blit_region *from, rhw_texture to_texture,
                                          const struct rhw_blit_region *to, enum rhw_filter filter);

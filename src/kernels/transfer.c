@@ -70,6 +70,23 @@ RHW_INLINE void filter_slice(const struct rhw_blit_job *job, int x, int y, int z
     }
 }
 
+// Return integers that a channel of a format can hold: those that it cannot become the nearest one.
+static f32x8 clamp_integers(const struct rhw_format_info *format, int channel, f32x8 value)
+{
+    const int bits = format->bits[channel];
+    const i32x8 given = (i32x8)value;
+    if (bits == 0 || bits == 32) {
+        return value;
+    }
+    if (format->type == RHW_CHANNEL_UINT) {
+        const i32x8 most = i32x8_splat((int32_t)(UINT32_C(0xffffffff) >> (32 - bits)));
+        const i32x8 above = (i32x8)((u32x8)given > (u32x8)most);
+        return (f32x8)((given & ~above) | (most & above));
+    }
+    const i32x8 most = i32x8_splat((1 << (bits - 1)) - 1);
+    return (f32x8)i32x8_max(i32x8_min(given, most), ~most);
+}
+
 static void blit_group(const struct rhw_blit_job *job, int x, int y, int z, struct raw_texels *raw)
 {
     const struct rhw_blit_axis *const axis = &job->axis[2];
@@ -87,8 +104,9 @@ static void blit_group(const struct rhw_blit_job *job, int x, int y, int z, stru
             value[c] = rhw_mix(value[c], next[c], rhw_splat(axis->weight[z]));
         }
     }
-    for (int c = 0; c < 4 && !rhw_format_is_integer(job->to_info); c++) {
-        value[c] = canonical_nan(value[c]);
+    const bool is_integer = rhw_format_is_integer(job->to_info);
+    for (int c = 0; c < 4; c++) {
+        value[c] = is_integer ? clamp_integers(job->to_info, c, value[c]) : canonical_nan(value[c]);
     }
     encode_texels(job->to_info, value, raw);
 }

@@ -232,6 +232,33 @@ static void test_formats(void **state)
     rig_close(&rig);
 }
 
+// Where a format cannot hold an integer, the nearest one that it holds is written.
+static void test_integers_stay_in_range(void **state)
+{
+    (void)state;
+    struct rig rig;
+    rig_open(&rig, 4, 4);
+    static const uint32_t positive[4] = {255, 256, 7, 0xffffffff};
+    static const int32_t both[4] = {-128, -129, 128, INT32_MIN};
+    uint8_t bytes[4];
+    int16_t words[2];
+    const rhw_texture from = make_row(&rig, RHW_FORMAT_RGBA32_UINT, 1, positive),
+                      to = make_row(&rig, RHW_FORMAT_RGBA8_UINT, 1, NULL),
+                      whole = make_row(&rig, RHW_FORMAT_RGBA32_SINT, 1, both),
+                      small = make_row(&rig, RHW_FORMAT_RGBA8_SINT, 1, NULL),
+                      pair = make_row(&rig, RHW_FORMAT_RG16_SINT, 1, NULL);
+    assert_int_equal(rhw_texture_blit(rig.context, from, NULL, to, NULL, RHW_FILTER_NEAREST), RHW_OK);
+    rhw_texture_read(rig.context, to, 0, bytes, 0);
+    assert_memory_equal(bytes, ((const uint8_t[]){255, 255, 7, 255}), 4);
+    assert_int_equal(rhw_texture_blit(rig.context, whole, NULL, small, NULL, RHW_FILTER_NEAREST), RHW_OK);
+    rhw_texture_read(rig.context, small, 0, bytes, 0);
+    assert_memory_equal(bytes, ((const int8_t[]){-128, -128, 127, -128}), 4);
+    assert_int_equal(rhw_texture_blit(rig.context, whole, NULL, pair, NULL, RHW_FILTER_NEAREST), RHW_OK);
+    rhw_texture_read(rig.context, pair, 0, words, 0);
+    assert_memory_equal(words, ((const int16_t[]){-128, -129}), 4);
+    rig_close(&rig);
+}
+
 static void test_layers_and_planes(void **state)
 {
     (void)state;
@@ -315,8 +342,11 @@ static void test_misuse(void **state)
 }
 
 static const struct CMUnitTest tests[] = {
-    cmocka_unit_test(test_rows),    cmocka_unit_test(test_volumes),
-    cmocka_unit_test(test_formats), cmocka_unit_test(test_layers_and_planes),
+    cmocka_unit_test(test_rows),
+    cmocka_unit_test(test_volumes),
+    cmocka_unit_test(test_formats),
+    cmocka_unit_test(test_integers_stay_in_range),
+    cmocka_unit_test(test_layers_and_planes),
     cmocka_unit_test(test_misuse),
 };
 
