@@ -14,7 +14,7 @@ struct shader_c_pair {
 struct shader_emitter {
     struct shader_memory *memory;
     const struct shader_c_program *program;
-    const struct shader_c_stage *stage;
+    const struct shader_linked_stage *stage;
     enum rhw_shader_stage kind;
     const struct shader_program *form;
     struct shader_plan plan;

@@ -37,7 +37,7 @@ static const char *interface_name(struct shader_emitter *emitter, uint32_t slot,
 static void write_input(struct shader_emitter *emitter, uint32_t value)
 {
     const struct shader_node *const node = &emitter->form->nodes[value];
-    const struct shader_c_stage *const stage = emitter->stage;
+    const struct shader_linked_stage *const stage = emitter->stage;
     const unsigned number = node->immediate, component = stage->component_of[number];
     const unsigned slot = number % SHADER_IN_CENTROID;
     const int w = stage->is_linear[number] ? -1 : (int)stage->w_component;
@@ -150,7 +150,7 @@ static void write_varying(struct shader_emitter *emitter, uint32_t input, const 
 static void write_vertex_output(struct shader_emitter *emitter, uint32_t slot, uint32_t value)
 {
     const char *const number = shader_c_argument(emitter, value, true);
-    const struct shader_c_stage *const stage = emitter->stage;
+    const struct shader_linked_stage *const stage = emitter->stage;
     struct shader_text *const out = emitter->out;
     if (slot < SHADER_OUT_POSITION + 4) {
         shader_text_line(out, "v->position[%u] = %s;", (unsigned)(slot - SHADER_OUT_POSITION), number);
@@ -216,7 +216,7 @@ static const char *element_of(struct shader_emitter *emitter, uint32_t buffer)
 static const char *element_text(struct shader_emitter *emitter, uint32_t buffer, const char *element)
 {
     const uint32_t resource = shader_resource_node(emitter->form, buffer)->immediate;
-    const struct shader_c_slot *const slot = &emitter->stage->slots[resource];
+    const struct shader_slot *const slot = &emitter->stage->slots[resource];
     return shader_format(emitter->memory, "rhw_spirv_element(frame, %u, %u, %u, %s)", (unsigned)slot->set,
                          (unsigned)slot->first, (unsigned)slot->count, element);
 }

@@ -11,7 +11,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "rhw/spirv.h"
+#include "form/linked_stage.h"
 
 enum {
     SHADER_BATCH = 16,              // most groups at a time; a workgroup with barriers has all of its own
@@ -52,11 +52,6 @@ struct shader_instruction {
 
 // Registers that every program has.
 enum { SHADER_ACTIVE, SHADER_ALIVE, SHADER_KILLED, SHADER_FIXED_REGISTERS };
-
-// Where a resource of the program lies: as many bindings of a set from `first` on.
-struct shader_slot {
-    uint32_t set, first, count;
-};
 
 struct shader_bytecode {
     const struct shader_instruction *code;

@@ -29,25 +29,6 @@ static const char *name_of(const rhw_shader_program *program, const struct rhw_s
     return NULL;
 }
 
-static struct shader_c_stage describe_stage(struct shader_memory *memory, const rhw_shader_program *program,
-                                            int s)
-{
-    const struct shader_program *const form = program->shaders[s]->form;
-    const struct shader_bytecode *const bytecode = &program->bytecode[s];
-    struct shader_c_slot *const slots = shader_take(memory, form->resource_count, sizeof *slots);
-    for (uint32_t r = 0; r < form->resource_count; r++) {
-        slots[r] = (struct shader_c_slot){program->slots[s][r].set, program->slots[s][r].first,
-                                          program->slots[s][r].count};
-    }
-    return (struct shader_c_stage){.form = form,
-                                   .slots = slots,
-                                   .component_of = bytecode->component_of,
-                                   .is_linear = bytecode->is_linear,
-                                   .w_component = bytecode->w_component,
-                                   .batch = bytecode->batch,
-                                   .target_count = bytecode->target_count};
-}
-
 // Refuse a program that has more registers than the stack of the interpreter, for C has its arrays there.
 static void check_stack(struct shader_memory *memory, const rhw_shader_program *program)
 {
@@ -80,7 +61,7 @@ static const char *write_program(struct shader_memory *memory, const rhw_shader_
     for (int s = 0; s < STAGES; s++) {
         const bool is_left_out = s == RHW_SHADER_FRAGMENT && !program->program.fragment[RHW_ISA_BASELINE];
         if (program->shaders[s] && !is_left_out) {
-            all.stages[s] = describe_stage(memory, program, s);
+            all.stages[s] = shader_describe_stage(program, (enum rhw_shader_stage)s);
         }
     }
     return shader_c_write(memory, &all);

@@ -56,9 +56,7 @@ enum rhw_result rhw_shader_print(const void *words, size_t size, const struct rh
 static void print_code(struct shader_memory *memory, const struct shader_sink *sink,
                        const rhw_shader_program *program, enum rhw_shader_stage kind)
 {
-    const uint32_t count = program->shaders[kind]->form->resource_count;
-    struct shader_machine_slot *const slots = shader_take(memory, count, sizeof *slots);
-    const struct shader_machine_stage stage = shader_describe_stage(program, kind, slots);
+    const struct shader_linked_stage stage = shader_describe_stage(program, kind);
     if (!program->machine[kind].code) {
         shader_sink_print(sink, "; the interpreter executes this stage here\n");
     }

@@ -168,39 +168,28 @@ static bool has_work(const struct shader_interface *fragment)
     return has;
 }
 
-struct shader_machine_stage shader_describe_stage(const rhw_shader_program *program,
-                                                  enum rhw_shader_stage kind,
-                                                  struct shader_machine_slot *slots)
+struct shader_linked_stage shader_describe_stage(const rhw_shader_program *program,
+                                                 enum rhw_shader_stage kind)
 {
     const struct shader_bytecode *const bytecode = &program->bytecode[kind];
-    const struct shader_program *const form = program->shaders[kind]->form;
-    for (uint32_t r = 0; r < form->resource_count; r++) {
-        const struct shader_slot *const slot = &program->slots[kind][r];
-        slots[r] = (struct shader_machine_slot){slot->set, slot->first, slot->count};
-    }
-    return (struct shader_machine_stage){.form = form,
-                                         .slots = slots,
-                                         .component_of = bytecode->component_of,
-                                         .is_linear = bytecode->is_linear,
-                                         .w_component = bytecode->w_component,
-                                         .batch = bytecode->batch,
-                                         .target_count = bytecode->target_count};
+    return (struct shader_linked_stage){.form = program->shaders[kind]->form,
+                                        .slots = program->slots[kind],
+                                        .component_of = bytecode->component_of,
+                                        .is_linear = bytecode->is_linear,
+                                        .w_component = bytecode->w_component,
+                                        .batch = bytecode->batch,
+                                        .target_count = bytecode->target_count};
 }
 
 // Generate the code of a stage. Return the function, or NULL where the interpreter has to do.
 static shader_function *generate(rhw_shader_program *program, enum rhw_shader_stage kind)
 {
-    const uint32_t count = program->shaders[kind]->form->resource_count;
-    struct shader_machine_slot *const slots =
-        program->is_interpreted ? NULL : calloc(count + 1, sizeof *slots);
-    if (!slots) {
+    struct shader_machine_block *const block = &program->machine[kind];
+    const struct shader_linked_stage stage = shader_describe_stage(program, kind);
+    if (program->is_interpreted || !shader_machine_make(&stage, kind, block)) {
         return NULL;
     }
-    const struct shader_machine_stage stage = shader_describe_stage(program, kind, slots);
-    struct shader_machine_block *const block = &program->machine[kind];
-    const bool is_made = shader_machine_make(&stage, kind, block);
-    free(slots);
-    return is_made ? (shader_function *)((uintptr_t)block->code + block->entry) : NULL;
+    return (shader_function *)((uintptr_t)block->code + block->entry);
 }
 
 // Put generated code where instruction sets have what it needs.

@@ -22,9 +22,8 @@ struct rhw_shader_program {
     struct rhw_compute_program compute;
 };
 
-// Describe a stage of the program to the back end, with its slots in an array of as many as it has resources.
-struct shader_machine_stage shader_describe_stage(const rhw_shader_program *program,
-                                                  enum rhw_shader_stage kind,
-                                                  struct shader_machine_slot *slots);
+// Describe a stage of the program to a back end. The description is as long valid as the program.
+struct shader_linked_stage shader_describe_stage(const rhw_shader_program *program,
+                                                 enum rhw_shader_stage kind);
 
 #endif

@@ -4,7 +4,7 @@
 #ifndef SHADER_CALLS_H
 #define SHADER_CALLS_H
 
-#include "form/form.h"
+#include "form/linked_stage.h"
 #include "rhw/shader.h"
 #include "rhw/spirv.h"
 
@@ -30,9 +30,7 @@ typedef shader_call_function *shader_call_finder(unsigned which);
 
 // What is known of an access when code is generated.
 struct shader_site {
-    struct {
-        uint32_t set, first, count; // where the resource lies
-    } texture, sampler;
+    struct shader_slot texture, sampler;
     uint32_t flags; // immediate of the operation
     uint32_t width; // bits that are stored
 };

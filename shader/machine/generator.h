@@ -13,7 +13,7 @@
 #include "calls.h"
 #include "encoder.h"
 #include "form/plan.h"
-#include "linked_stage.h"
+#include "form/linked_stage.h"
 
 enum { VECTOR = 32, REGISTERS = 16, NO_COMPONENT = 0xff };
 
@@ -68,7 +68,7 @@ struct shader_edge {
 struct shader_generator {
     struct shader_memory *memory;
     struct shader_encoder code;
-    const struct shader_machine_stage *stage;
+    const struct shader_linked_stage *stage;
     enum rhw_shader_stage kind;
     const struct shader_program *form;
     struct shader_plan plan;
@@ -249,7 +249,7 @@ struct shader_generated {
 
 // Generate the code of a stage, by the first so many registers, at most 16. Return false where it needs more of the
 // stack than it may take.
-bool shader_generate(struct shader_memory *memory, const struct shader_machine_stage *stage,
+bool shader_generate(struct shader_memory *memory, const struct shader_linked_stage *stage,
                      enum rhw_shader_stage kind, int registers, bool has_records,
                      struct shader_generated *made);
 

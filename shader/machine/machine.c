@@ -49,7 +49,7 @@ static int registers_to_use(void)
     return asked >= FEWEST_REGISTERS && asked < REGISTERS ? asked : REGISTERS;
 }
 
-bool shader_machine_make(const struct shader_machine_stage *stage, enum rhw_shader_stage kind,
+bool shader_machine_make(const struct shader_linked_stage *stage, enum rhw_shader_stage kind,
                          struct shader_machine_block *block)
 {
     static const char *const names[RHW_SHADER_STAGE_COUNT] = {"vertex", "fragment", "compute"};
@@ -84,7 +84,7 @@ void shader_machine_free(struct shader_machine_block *block)
 }
 
 bool shader_machine_print(const struct shader_sink *sink, struct shader_memory *memory,
-                          const struct shader_machine_stage *stage, enum rhw_shader_stage kind)
+                          const struct shader_linked_stage *stage, enum rhw_shader_stage kind)
 {
     struct shader_generated made;
     if (!shader_generate(memory, stage, kind, registers_to_use(), true, &made)) {

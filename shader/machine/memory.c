@@ -40,17 +40,10 @@ struct shader_argument shader_site_argument(struct shader_generator *g, uint32_t
     struct shader_site site = {.flags = flags, .width = width};
     const struct shader_node *const node = shader_resource_node(g->form, texture);
     if (node->op == SHADER_BUFFER) {
-        const struct shader_machine_slot *const slot = &g->stage->slots[node->immediate];
-        site.texture.set = slot->set;
-        site.texture.first = slot->first;
-        site.texture.count = slot->count;
+        site.texture = g->stage->slots[node->immediate];
     }
     if (sampler != SHADER_NONE) {
-        const struct shader_machine_slot *const slot =
-            &g->stage->slots[shader_resource_node(g->form, sampler)->immediate];
-        site.sampler.set = slot->set;
-        site.sampler.first = slot->first;
-        site.sampler.count = slot->count;
+        site.sampler = g->stage->slots[shader_resource_node(g->form, sampler)->immediate];
     }
     return shader_address_argument(shader_pool_bytes(&g->code, &site, sizeof site));
 }

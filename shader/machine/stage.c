@@ -237,7 +237,7 @@ static void generate_entry(struct shader_generator *g, uint32_t body)
     shader_encode_jump(&g->code, body);
 }
 
-static bool generate(struct shader_memory *memory, const struct shader_machine_stage *stage,
+static bool generate(struct shader_memory *memory, const struct shader_linked_stage *stage,
                      enum rhw_shader_stage kind, int registers, bool has_records, bool has_steps,
                      struct shader_generated *made)
 {
@@ -268,7 +268,7 @@ static bool generate(struct shader_memory *memory, const struct shader_machine_s
     return true;
 }
 
-bool shader_generate(struct shader_memory *memory, const struct shader_machine_stage *stage,
+bool shader_generate(struct shader_memory *memory, const struct shader_linked_stage *stage,
                      enum rhw_shader_stage kind, int registers, bool has_records,
                      struct shader_generated *made)
 {
