@@ -11,27 +11,23 @@ enum {
     POOL_ALIGNMENT = 32
 };
 
-// Values of the fields `pp` and `mmmmm` of VEX. An instruction of BYTE has no byte before its opcode.
-enum prefix { PREFIX_NONE, PREFIX_66, PREFIX_F3 };
-enum map { MAP_BYTE, MAP_0F, MAP_0F38, MAP_0F3A };
+// Values of the fields `pp` and `mmmmm` of VEX.
+enum prefix { PREFIX_NONE, PREFIX_66 };
+enum map { MAP_0F = 1, MAP_0F38, MAP_0F3A };
 
-// Which operands there are, and where they stand: R in `reg` of ModRM, M in `rm`, V in `vvvv` of VEX, O in the opcode.
-// From VMI to RVMR there is an immediate, from RVMI to RMV a source.
-enum shape { RM, MR, VMI, RMI, MRI, RVMI, RVMR, RVM, MVR, RMV, M, MI, MN, ML, RMN, O };
-
-struct encoding {
-    uint8_t is_vex, prefix, map, is_wide, opcode, shape, digit;
-};
-
-static const struct encoding encodings[X86_INSTRUCTIONS] = {
-#define VEX(name, prefix, map, w, opcode, shape, digit) \
-    [X86_##name] = {1, PREFIX_##prefix, MAP_##map, w, opcode, shape, digit},
-#define INT(name, prefix, map, opcode, shape, digit) \
-    [X86_##name] = {0, PREFIX_##prefix, MAP_##map, 0, opcode, shape, digit},
+static const struct x86_encoding encodings[X86_INSTRUCTIONS] = {
+#define VEX(name, prefix, map, opcode, shape, digit) \
+    [X86_##name] = {#name, true, PREFIX_##prefix, MAP_##map, opcode, X86_##shape, digit},
+#define INT(name, opcode, shape, digit) [X86_##name] = {#name, false, 0, 0, opcode, X86_##shape, digit},
 #include "instruction.inc"
 #undef VEX
 #undef INT
 };
+
+const struct x86_encoding *shader_encoding_of(uint32_t instruction)
+{
+    return &encodings[instruction & 0xff];
+}
 
 struct shader_fix {
     uint32_t place;  // displacement of 4 bytes
@@ -139,74 +135,57 @@ static unsigned high_bits(int reg, struct x86_operand rm)
 
 // Instructions ---------------------------------------------------------------------------------------
 
-static void put_vex(struct shader_encoder *encoder, const struct encoding *encoding, unsigned bits,
+static void put_vex(struct shader_encoder *encoder, const struct x86_encoding *encoding, unsigned bits,
                     int vector, unsigned flags)
 {
-    const bool is_wide = encoding->is_wide || (flags & X86_WIDE) != 0;
     const unsigned length = flags & X86_NARROW ? 0 : 1;
     const unsigned last = (~(unsigned)vector & 15) << 3 | length << 2 | encoding->prefix;
-    if (encoding->map == MAP_0F && !is_wide && (bits & 3) == 0) {
+    if (encoding->map == MAP_0F && (bits & 3) == 0) {
         put(encoder, 0xc5, 1);
         put(encoder, (~bits & 4) << 5 | last, 1);
     } else {
         put(encoder, 0xc4, 1);
         put(encoder, (~bits & 7) << 5 | encoding->map, 1);
-        put(encoder, (is_wide ? 0x80u : 0u) | last, 1);
+        put(encoder, last, 1);
     }
     put(encoder, encoding->opcode, 1);
 }
 
-static void encode_vex(struct shader_encoder *encoder, const struct encoding *encoding, unsigned flags,
+static void encode_vex(struct shader_encoder *encoder, const struct x86_encoding *encoding, unsigned flags,
                        int reg, int source, struct x86_operand rm, int32_t immediate)
 {
     const unsigned shape = encoding->shape;
-    const bool has_immediate = shape >= VMI && shape <= RVMR;
-    const int vector = shape == VMI ? reg : shape >= RVMI && shape <= RMV ? source : 0;
-    const int field = shape == VMI ? encoding->digit : reg;
+    const bool has_immediate = shape >= X86_VMI && shape <= X86_RVMR;
+    const int vector = shape == X86_VMI ? reg : shape >= X86_RVMI && shape <= X86_RVM ? source : 0;
+    const int field = shape == X86_VMI ? encoding->digit : reg;
     put_vex(encoder, encoding, high_bits(field, rm), vector, flags);
+    if (shape == X86_NO_OPERANDS) {
+        return;
+    }
     put_operand(encoder, field, rm, has_immediate ? 1 : 0);
     if (has_immediate) {
-        put(encoder, (uint32_t)immediate << (shape == RVMR ? 4 : 0), 1);
+        put(encoder, (uint32_t)immediate << (shape == X86_RVMR ? 4 : 0), 1);
     }
 }
 
-// Return whether there is a byte of spl, bpl, sil or dil, which only REX reaches.
-static bool needs_rex(const struct encoding *encoding, int reg, struct x86_operand rm)
-{
-    const bool is_store = encoding->map == MAP_BYTE && encoding->opcode == 0x88;          // MOV_STORE8
-    const bool is_load = encoding->map == MAP_0F && ((encoding->opcode & 0xf7) == 0xb6 || // MOVZX8, MOVSX8
-                                                     (encoding->opcode & 0xf0) == 0x90);  // SET
-    return (is_store && reg >= X86_RSP) || ((is_store || is_load) && rm.reg >= X86_RSP);
-}
-
-static void encode_integer(struct shader_encoder *encoder, const struct encoding *encoding, unsigned flags,
-                           int reg, struct x86_operand rm, int32_t immediate)
+static void encode_integer(struct shader_encoder *encoder, const struct x86_encoding *encoding,
+                           unsigned flags, int reg, struct x86_operand rm, int32_t immediate)
 {
     const unsigned shape = encoding->shape;
-    const bool has_digit = shape >= M && shape <= ML;
-    const bool is_short = (shape == MN || shape == RMN) && is_byte(immediate);
-    const int width = shape == MI || is_short ? 1 : shape == MN || shape == RMN || shape == ML ? 4 : 0;
-    const int field = shape == O ? 0 : has_digit ? encoding->digit : reg;
-    const unsigned bits = shape == O ? high(reg) : high_bits(field, rm);
-    const unsigned rex = (flags & X86_WIDE ? 8u : 0u) | bits;
-    if (flags & X86_LOCK) {
-        put(encoder, 0xf0, 1);
-    }
-    if (encoding->prefix != PREFIX_NONE) {
-        put(encoder, encoding->prefix == PREFIX_66 ? 0x66 : 0xf3, 1);
-    }
-    if (rex != 0 || needs_rex(encoding, reg, rm)) {
+    const bool has_digit = shape >= X86_M && shape <= X86_ML, has_modrm = shape < X86_O;
+    const bool has_number = shape == X86_MN || shape == X86_RMN;
+    const bool is_short = has_number && is_byte(immediate);
+    const int width = shape == X86_MI || is_short ? 1 : has_number || shape == X86_ML ? 4 : 0;
+    const int field = has_digit ? encoding->digit : reg;
+    const unsigned rex = (flags & X86_WIDE ? 8u : 0u) | (has_modrm ? high_bits(field, rm) : high(reg));
+    if (rex != 0) {
         put(encoder, 0x40 | rex, 1);
     }
-    if (encoding->map == MAP_0F) {
-        put(encoder, 0x0f, 1);
-    }
-    const unsigned condition = flags >> X86_IF_SHIFT;
-    if (shape == O) {
+    if (!has_modrm) {
         put(encoder, encoding->opcode | (unsigned)(reg & 7), 1);
         return;
     }
-    put(encoder, encoding->opcode | condition | (is_short ? 2u : 0u), 1);
+    put(encoder, encoding->opcode | (is_short ? 2u : 0u), 1);
     put_operand(encoder, field, rm, width);
     put(encoder, (uint32_t)immediate, width);
 }
@@ -214,7 +193,7 @@ static void encode_integer(struct shader_encoder *encoder, const struct encoding
 void shader_encode(struct shader_encoder *encoder, unsigned instruction, int reg, int source,
                    struct x86_operand rm, int32_t immediate)
 {
-    const struct encoding *const encoding = &encodings[instruction & 0xff];
+    const struct x86_encoding *const encoding = shader_encoding_of(instruction);
     record(encoder, instruction, reg, source, rm, immediate);
     reserve(encoder, LONGEST);
     if (encoding->is_vex) {
@@ -237,42 +216,6 @@ void shader_encode_number(struct shader_encoder *encoder, int reg, uint64_t numb
     }
     put(encoder, 0xb8 | low, 1);
     put(encoder, number, number > UINT32_MAX ? 8 : 4);
-}
-
-void shader_encode_vzeroupper(struct shader_encoder *encoder)
-{
-    record(encoder, X86_VZEROUPPER, 0, 0, x86_reg(0), 0);
-    reserve(encoder, LONGEST);
-    put(encoder, 0x77f8c5, 3);
-}
-
-void shader_encode_return(struct shader_encoder *encoder)
-{
-    record(encoder, X86_RETURN, 0, 0, x86_reg(0), 0);
-    reserve(encoder, LONGEST);
-    put(encoder, 0xc3, 1);
-}
-
-void shader_encode_alignment(struct shader_encoder *encoder, unsigned alignment)
-{
-    // By length; Intel's manual, volume 2, NOP.
-    static const uint64_t nops[] = {0,
-                                    0x90,
-                                    0x9066,
-                                    0x001f0f,
-                                    0x00401f0f,
-                                    0x0000441f0f,
-                                    0x0000441f0f66,
-                                    0x00000000801f0f,
-                                    0x0000000000841f0f};
-    record(encoder, X86_NOPS, 0, 0, x86_reg(0), (int32_t)alignment);
-    reserve(encoder, LONGEST + (size_t)alignment);
-    size_t left = (alignment - encoder->size % alignment) % alignment;
-    while (left > 0) {
-        const int length = left > 8 ? 8 : (int)left;
-        put(encoder, nops[length], length);
-        left -= (size_t)length;
-    }
 }
 
 // Labels ---------------------------------------------------------------------------------------------

@@ -10,8 +10,8 @@
 #include "module/memory.h"
 
 enum x86_instruction {
-#define VEX(name, prefix, map, w, opcode, shape, digit) X86_##name,
-#define INT(name, prefix, map, opcode, shape, digit)    X86_##name,
+#define VEX(name, prefix, map, opcode, shape, digit) X86_##name,
+#define INT(name, opcode, shape, digit)              X86_##name,
 #include "instruction.inc"
 #undef VEX
 #undef INT
@@ -19,19 +19,36 @@ enum x86_instruction {
     // What has a function of its own is no row of the table. Records have these numbers for it:
     X86_JUMP = X86_INSTRUCTIONS, // to the label `immediate`; reg: the condition, or -1
     X86_NUMBER,                  // reg := offset and immediate, the lower and the upper half
-    X86_VZEROUPPER,
-    X86_RETURN,
-    X86_NOPS,  // up to a multiple of `immediate` bytes
-    X86_LABEL, // `immediate` is placed
+    X86_LABEL,                   // `immediate` is placed
     // Or-ed to an instruction:
     X86_NARROW = 1 << 8, // vectors of 128 bits
-    X86_WIDE = 1 << 9,   // integers of 64 bits; with VMOVD, VPEXTRD and VPINSRD, too
-    X86_LOCK = 1 << 10,  // atomic
-    X86_IF_SHIFT = 12    // CMOV and SET: the condition, by X86_IF
+    X86_WIDE = 1 << 9    // integers of 64 bits
 };
 
-// A condition, or-ed to CMOV or SET.
-#define X86_IF(condition) ((condition) << X86_IF_SHIFT)
+// Which operands an instruction has: see shader_encode. X86_O stands in the opcode.
+enum x86_shape {
+    X86_RM,
+    X86_MR,
+    X86_VMI, // from here to RVMR with an immediate
+    X86_RMI,
+    X86_RVMI, // from here to RVM with a source
+    X86_RVMR,
+    X86_RVM,
+    X86_M,
+    X86_MI,
+    X86_MN,
+    X86_ML,
+    X86_RMN,
+    X86_O,
+    X86_NO_OPERANDS
+};
+
+// A row of instruction.inc.
+struct x86_encoding {
+    const char *name;
+    bool is_vex;
+    uint8_t prefix, map, opcode, shape, digit;
+};
 
 // Integer registers. Vector registers are numbers from 0 to 15.
 enum x86_register {
@@ -53,40 +70,10 @@ enum x86_register {
     X86_R15
 };
 
-enum x86_condition {
-    X86_OVERFLOW,
-    X86_NO_OVERFLOW,
-    X86_BELOW, // carry
-    X86_ABOVE_EQUAL,
-    X86_EQUAL, // zero
-    X86_NOT_EQUAL,
-    X86_BELOW_EQUAL,
-    X86_ABOVE,
-    X86_NEGATIVE,
-    X86_NOT_NEGATIVE,
-    X86_PARITY,
-    X86_NO_PARITY,
-    X86_LESS,
-    X86_GREATER_EQUAL,
-    X86_LESS_EQUAL,
-    X86_GREATER
-};
+enum x86_condition { X86_ABOVE_EQUAL = 3, X86_EQUAL, X86_NOT_EQUAL, X86_BELOW_EQUAL };
 
-// Immediates of VCMPPS. Where an operand is no number, O is false and U is true. None signals on a quiet one.
-enum x86_predicate {
-    X86_EQ_O = 0x00,
-    X86_LT_O = 0x11,
-    X86_LE_O = 0x12,
-    X86_UNORDERED = 0x03,
-    X86_NEQ_U = 0x04,
-    X86_NLT_U = 0x15,
-    X86_NLE_U = 0x16,
-    X86_ORDERED = 0x07,
-    X86_EQ_U = 0x08,
-    X86_NEQ_O = 0x0c,
-    X86_GE_O = 0x1d,
-    X86_GT_O = 0x1e
-};
+// Immediates of VCMPPS, which are false where an operand is no number, and signal on no quiet one.
+enum x86_predicate { X86_EQ_O = 0x00, X86_LT_O = 0x11, X86_LE_O = 0x12 };
 
 // Immediates of VROUNDPS; 8 keeps the flag of inexact results as it is.
 enum x86_rounding { X86_ROUND_EVEN = 8, X86_ROUND_DOWN = 9, X86_ROUND_UP = 10, X86_ROUND_ZERO = 11 };
@@ -95,7 +82,7 @@ enum x86_rounding { X86_ROUND_EVEN = 8, X86_ROUND_DOWN = 9, X86_ROUND_UP = 10, X
 struct x86_operand {
     int8_t reg;   // -1: memory
     int8_t base;  // -1: the constant of the number `offset`
-    int8_t index; // an integer register other than rsp, of gathers a vector; -1: none
+    int8_t index; // an integer register other than rsp; -1: none
     uint8_t shift;
     int32_t offset; // bytes
 };
@@ -162,36 +149,19 @@ static inline struct x86_operand x86_at_index(int base, int index, unsigned shif
 // Begin. What the encoder takes lies in the memory, which ends the translation where it is short.
 void shader_encoder_init(struct shader_encoder *encoder, struct shader_memory *memory);
 
+const struct x86_encoding *shader_encoding_of(uint32_t instruction);
+
 // Append an instruction, with flags or-ed to its number, by the operands of its shape:
-//     RM, RMI, RMN   reg := rm, immediate                 MR, MRI       rm := reg, immediate
-//     RVM, RVMI      reg := source, rm, immediate         MVR           rm := reg where source has its sign set
-//     RVMR           as RVM; the immediate is a register  VMI           reg := rm, immediate
-//     RMV            reg := gathered from rm where        M, MI, MN, ML rm := rm, immediate; reg is 0
-//                    source has its sign set              O             reg alone
-// Memory of a gather has a vector as its index, and the source becomes 0. TEST, CMP, BT, VPTEST and VTESTPS change
-// flags alone. An immediate has 8 bits (I), 32 (L), or as many as it takes (N).
+//     RM, RMI, RMN   reg := rm, immediate                 MR            rm := reg
+//     RVM, RVMI      reg := source, rm, immediate         VMI           reg := rm, immediate
+//     RVMR           as RVM; the immediate is a register  M, MI, MN, ML rm := rm, immediate; reg is 0
+//     O              reg alone
+// TEST, CMP and VTESTPS change flags alone. An immediate has 8 bits (I), 32 (L), or as many as it takes (N).
 void shader_encode(struct shader_encoder *encoder, unsigned instruction, int reg, int source,
                    struct x86_operand rm, int32_t immediate);
 
-// Append an instruction of two operands, or of three.
-static inline void shader_encode_2(struct shader_encoder *encoder, unsigned instruction, int reg,
-                                   struct x86_operand rm)
-{
-    shader_encode(encoder, instruction, reg, 0, rm, 0);
-}
-
-static inline void shader_encode_3(struct shader_encoder *encoder, unsigned instruction, int reg, int source,
-                                   struct x86_operand rm)
-{
-    shader_encode(encoder, instruction, reg, source, rm, 0);
-}
-
 // Set an integer register to a number.
 void shader_encode_number(struct shader_encoder *encoder, int reg, uint64_t number);
-void shader_encode_vzeroupper(struct shader_encoder *encoder);
-void shader_encode_return(struct shader_encoder *encoder);
-// Fill with instructions that do nothing up to a multiple of a power of 2, at most 64.
-void shader_encode_alignment(struct shader_encoder *encoder, unsigned alignment);
 
 // Make a label, place it here, and jump to it.
 uint32_t shader_label_new(struct shader_encoder *encoder);

@@ -177,13 +177,13 @@ static void generate_body(struct shader_generator *g)
         shader_generate_code(g);
     }
     shader_label_place(&g->code, g->exit);
-    shader_encode_vzeroupper(&g->code);
+    shader_put(g, X86_VZEROUPPER | X86_NARROW, 0, 0, x86_reg(0));
     shader_put(g, X86_LEA | X86_WIDE, X86_RSP, 0, x86_at(X86_RBP, -SAVED * WORD));
     for (int i = SAVED; i-- > 0;) {
         shader_encode(&g->code, X86_POP, saved[i], 0, x86_reg(0), 0);
     }
     shader_encode(&g->code, X86_POP, X86_RBP, 0, x86_reg(0), 0);
-    shader_encode_return(&g->code);
+    shader_put(g, X86_RET, 0, 0, x86_reg(0));
 }
 
 // Return how many groups go through the code together. Where there are steps alone, what they keep stays near.

@@ -55,22 +55,21 @@ static void write_loop(struct shader_encoder *encoder, struct shader_memory *mem
 {
     shader_encoder_init(encoder, memory);
     const uint32_t begin = shader_label_new(encoder), end = shader_label_new(encoder);
-    shader_encode_2(encoder, X86_TEST, X86_RDX, x86_reg(X86_RDX));
+    shader_encode(encoder, X86_TEST, X86_RDX, 0, x86_reg(X86_RDX), 0);
     shader_encode_jump_if(encoder, X86_EQUAL, end);
-    shader_encode_2(encoder, X86_VBROADCASTSS, 12, shader_pool_scalar(encoder, 0x3f800000));
-    shader_encode_alignment(encoder, 32);
+    shader_encode(encoder, X86_VBROADCASTSS, 12, 0, shader_pool_scalar(encoder, 0x3f800000), 0);
     shader_label_place(encoder, begin);
-    shader_encode_2(encoder, X86_VMOVUPS, 9, x86_at(X86_RSI, 0));
-    shader_encode_3(encoder, X86_VMULPS, 9, 9, shader_pool_splat(encoder, 0x40400000));
-    shader_encode_3(encoder, X86_VADDPS, 9, 9, x86_reg(12));
-    shader_encode_2(encoder, X86_VMOVUPS_STORE, 9, x86_at(X86_RDI, 0));
+    shader_encode(encoder, X86_VMOVUPS, 9, 0, x86_at(X86_RSI, 0), 0);
+    shader_encode(encoder, X86_VMULPS, 9, 9, shader_pool_splat(encoder, 0x40400000), 0);
+    shader_encode(encoder, X86_VADDPS, 9, 9, x86_reg(12), 0);
+    shader_encode(encoder, X86_VMOVUPS_STORE, 9, 0, x86_at(X86_RDI, 0), 0);
     shader_encode(encoder, X86_ADD_I | X86_WIDE, 0, 0, x86_reg(X86_RSI), 32);
     shader_encode(encoder, X86_ADD_I | X86_WIDE, 0, 0, x86_reg(X86_RDI), 32);
-    shader_encode_2(encoder, X86_DEC, 0, x86_reg(X86_RDX));
+    shader_encode(encoder, X86_SUB_I, 0, 0, x86_reg(X86_RDX), 1);
     shader_encode_jump_if(encoder, X86_NOT_EQUAL, begin);
     shader_label_place(encoder, end);
-    shader_encode_vzeroupper(encoder);
-    shader_encode_return(encoder);
+    shader_encode(encoder, X86_VZEROUPPER | X86_NARROW, 0, 0, x86_reg(0), 0);
+    shader_encode(encoder, X86_RET, 0, 0, x86_reg(0), 0);
     shader_encoder_finish(encoder);
 }
 
