@@ -5,7 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#if defined(__x86_64__)
+// Generated code follows the calling convention of the System V ABI.
+#if defined(__x86_64__) && !defined(__ILP32__) && !defined(_WIN32)
 #include <cpuid.h>
 
 enum { LEAF7_EBX_AVX2 = 1 << 5 }; // Intel's manual, volume 2, table 3-8

@@ -1,30 +1,18 @@
 // SPDX-License-Identifier: MIT
-// Code on Windows. perf is no program of this system.
+// There is no code on Windows, whose calling convention is another one.
 #include "code_memory.h"
-
-#include <string.h>
-#include <windows.h>
 
 void *shader_code_map(const void *bytes, size_t size)
 {
-    DWORD old;
-    void *const code = VirtualAlloc(NULL, size, MEM_COMMIT | MEM_RESERVE, PAGE_READWRITE);
-    if (!code) {
-        return NULL;
-    }
-    memcpy(code, bytes, size);
-    if (!VirtualProtect(code, size, PAGE_EXECUTE_READ, &old)) {
-        (void)VirtualFree(code, 0, MEM_RELEASE);
-        return NULL;
-    }
-    (void)FlushInstructionCache(GetCurrentProcess(), code, size);
-    return code;
+    (void)bytes;
+    (void)size;
+    return NULL;
 }
 
 void shader_code_unmap(void *code, size_t size)
 {
+    (void)code;
     (void)size;
-    (void)VirtualFree(code, 0, MEM_RELEASE);
 }
 
 bool shader_code_name(const void *code, size_t size, const char *name)

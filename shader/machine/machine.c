@@ -16,10 +16,7 @@ enum { FEWEST_REGISTERS = 6 };
 
 RHW_ISA_DECLARE(shader_call_finder, shader_find_call);
 
-// Generated code follows the calling convention of the System V ABI.
-#if defined(__x86_64__) && !defined(__ILP32__) && !defined(_WIN32)
-
-static const bool has_convention = true;
+#if defined(__x86_64__)
 
 shader_call_function *shader_machine_function(unsigned which)
 {
@@ -27,8 +24,6 @@ shader_call_function *shader_machine_function(unsigned which)
 }
 
 #else
-
-static const bool has_convention = false;
 
 shader_call_function *shader_machine_function(unsigned which)
 {
@@ -54,7 +49,7 @@ bool shader_machine_make(const struct shader_linked_stage *stage, enum rhw_shade
 {
     static const char *const names[RHW_SHADER_STAGE_COUNT] = {"vertex", "fragment", "compute"};
     *block = (struct shader_machine_block){.code = NULL};
-    if (!has_convention || !shader_code_is_wanted()) {
+    if (!shader_code_is_wanted()) {
         return false;
     }
     struct shader_memory memory;
