@@ -3,7 +3,7 @@
 #ifndef SHADER_C_EMIT_H
 #define SHADER_C_EMIT_H
 
-#include "form/plan.h"
+#include "form/walk.h"
 #include "c_text.h"
 #include "emitter.h"
 
@@ -18,6 +18,7 @@ struct shader_emitter {
     enum rhw_shader_stage kind;
     const struct shader_program *form;
     struct shader_plan plan;
+    struct shader_walk walk;
     struct shader_text arrays; // declarations of what has an element for each group
     struct shader_text once;   // what is computed once a call
     struct shader_text body;   // what is computed for each group
@@ -28,7 +29,6 @@ struct shader_emitter {
     const char *group;         // the element that counts of what has one for each group
     bool is_dead;              // no lane comes to this place
     bool counts_rounds;        // rounds of loops are counted
-    bool is_run_open;          // this place is in a loop over groups
     uint32_t run;              // number of the one that is open or comes next
     uint32_t wide_mask;        // number of the mask with which the run began
     uint32_t *loops;           // places of the LOOPs that are loops of C, from the outermost
@@ -69,9 +69,20 @@ bool shader_c_is_one_binding(const struct shader_emitter *emitter, uint32_t buff
 // c_image.c. Write SAMPLE, PART or IMAGE_STORE. Return false where the node is none of these.
 bool shader_c_write_image(struct shader_emitter *emitter, uint32_t place);
 
-// c_flow.c. Write the whole code into the body, loops over groups with it.
-void shader_c_write_code(struct shader_emitter *emitter);
+// c_flow.c. Functions of struct shader_walk, for narrow structure.
+void shader_c_write_node(void *user, uint32_t place);
+void shader_c_write_structure(void *user, uint32_t place);
+void shader_c_skip_rest(void *user, uint32_t structure);
 uint32_t shader_c_new_mask(struct shader_emitter *emitter);
+void shader_c_line_of_mask(struct shader_emitter *emitter, uint32_t mask, const char *expression);
+// Jump to the end of structure, and write the label there if something does.
+void shader_c_jump_to_end(struct shader_emitter *emitter, uint32_t structure);
+void shader_c_write_label(struct shader_emitter *emitter, uint32_t structure);
+// Leave the function where a loop has gone round often and the work is given up.
+void shader_c_write_giving_up(struct shader_emitter *emitter);
+
+// c_wide.c. Write the whole code into the body, loops over groups with it.
+void shader_c_write_code(struct shader_emitter *emitter);
 
 // c_stage.c. What stands around the code: the lines that begin and end a loop over groups.
 void shader_c_open_groups(struct shader_emitter *emitter);

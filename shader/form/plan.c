@@ -4,16 +4,6 @@
 
 enum { WORTH_A_STEP = 60 };
 
-static enum shader_op op_at(const struct shader_plan *plan, uint32_t place)
-{
-    return (enum shader_op)plan->form->nodes[plan->form->code[place]].op;
-}
-
-static bool opens(enum shader_op op)
-{
-    return op == SHADER_IF || op == SHADER_REGION || op == SHADER_LOOP;
-}
-
 static bool closes(enum shader_op op)
 {
     return op == SHADER_END_IF || op == SHADER_END_REGION || op == SHADER_END_LOOP;
@@ -38,7 +28,7 @@ static void find_structures(struct shader_memory *memory, struct shader_plan *pl
     uint32_t depth = 0, blocks = 0;
     uint32_t *const block_stack = shader_take(memory, SHADER_MAX_DEPTH + 2, sizeof *block_stack);
     for (uint32_t i = 0; i < form->code_count; i++) {
-        const enum shader_op op = op_at(plan, i);
+        const enum shader_op op = shader_op_at(plan, i);
         const struct shader_node *const node = &form->nodes[form->code[i]];
         plan->place[form->code[i]] = i;
         if (closes(op)) {
@@ -48,7 +38,7 @@ static void find_structures(struct shader_memory *memory, struct shader_plan *pl
             block_stack[depth] = ++blocks;
         }
         plan->block[i] = block_stack[depth];
-        if (opens(op)) {
+        if (shader_opens(op)) {
             const uint32_t decider = op == SHADER_IF ? node->operands[0] : form->code[i];
             plan->structures[i] =
                 (struct shader_structure){.otherwise = SHADER_NONE, .is_uniform = is_uniform(plan, decider)};
@@ -76,7 +66,7 @@ static void find_wide(struct shader_memory *memory, struct shader_plan *plan)
         uint32_t depth = 0;
         changed = false;
         for (uint32_t i = 0; i < form->code_count; i++) {
-            const enum shader_op op = op_at(plan, i);
+            const enum shader_op op = shader_op_at(plan, i);
             const bool leaves_wide =
                 op == SHADER_LEAVE &&
                 plan->structures[plan->place[form->nodes[form->code[i]].operands[0]]].is_wide;
@@ -84,7 +74,7 @@ static void find_wide(struct shader_memory *memory, struct shader_plan *plan)
                 changed = changed || !plan->structures[stack[d]].is_wide;
                 plan->structures[stack[d]].is_wide = true;
             }
-            if (opens(op)) {
+            if (shader_opens(op)) {
                 stack[depth++] = i;
             } else if (closes(op)) {
                 depth--;
@@ -96,17 +86,17 @@ static void find_wide(struct shader_memory *memory, struct shader_plan *plan)
 // A LEAVE of wide structure stands in wide structure, and counts as such.
 bool shader_is_wide(const struct shader_plan *plan, uint32_t place)
 {
-    const enum shader_op op = op_at(plan, place);
+    const enum shader_op op = shader_op_at(plan, place);
     if (op == SHADER_LEAVE) {
         const uint32_t target = plan->form->nodes[plan->form->code[place]].operands[0];
         return plan->structures[plan->place[target]].is_wide;
     }
-    return opens(op) && plan->structures[place].is_wide;
+    return shader_opens(op) && plan->structures[place].is_wide;
 }
 
 bool shader_is_cut(const struct shader_plan *plan, uint32_t place)
 {
-    const enum shader_op op = op_at(plan, place);
+    const enum shader_op op = shader_op_at(plan, place);
     if (op == SHADER_ATOMIC || op == SHADER_IMAGE_ATOMIC) {
         const struct shader_node *const node = &plan->form->nodes[plan->form->code[place]];
         return plan->uses[plan->form->code[place]] > 0 || node->immediate == SHADER_ATOMIC_STORE ||
@@ -121,7 +111,7 @@ static void count_uses(struct shader_plan *plan)
     for (uint32_t i = 0; i < form->code_count; i++) {
         uint32_t count;
         const uint32_t *const operands = operands_at(plan, i, &count);
-        const enum shader_op op = op_at(plan, i);
+        const enum shader_op op = shader_op_at(plan, i);
         for (uint32_t o = 0; o < count; o++) {
             plan->uses[operands[o]]++;
             plan->last_use[operands[o]] = i;
@@ -161,8 +151,8 @@ static void find_steps(struct shader_memory *memory, struct shader_plan *plan)
     uint32_t *const ready = shader_take(memory, form->node_count, sizeof *ready);
     uint32_t depth = 0, first = 0;
     for (uint32_t i = 0; i < form->code_count && !plan->loses_lanes; i++) {
-        const enum shader_op op = op_at(plan, i);
-        depth += opens(op) ? 1 : 0;
+        const enum shader_op op = shader_op_at(plan, i);
+        depth += shader_opens(op) ? 1 : 0;
         depth -= closes(op) ? 1 : 0;
         if (plan->is_hoisted[form->code[i]]) {
             continue;
@@ -187,7 +177,7 @@ static void find_steps(struct shader_memory *memory, struct shader_plan *plan)
 static uint32_t number_runs(struct shader_plan *plan, uint32_t begin, uint32_t end, uint32_t run)
 {
     for (uint32_t i = begin; i < end; i++) {
-        const enum shader_op op = op_at(plan, i);
+        const enum shader_op op = shader_op_at(plan, i);
         run += plan->is_step[i] ? 1 : 0;
         if (shader_is_cut(plan, i)) {
             plan->run[i] = op == SHADER_BARRIER ? SHADER_NONE : run + 1; // an atomic is a run of its own
@@ -205,7 +195,7 @@ static uint32_t number_runs(struct shader_plan *plan, uint32_t begin, uint32_t e
             plan->run[middle] = plan->run[structure->end] = SHADER_NONE;
             run = middle == structure->end ? run : number_runs(plan, middle + 1, structure->end, run) + 1;
             i = structure->end;
-        } else if (opens(op)) {
+        } else if (shader_opens(op)) {
             for (uint32_t k = i; k <= plan->structures[i].end; k++) {
                 plan->run[k] = run;
             }
@@ -226,7 +216,7 @@ static void place_homes(struct shader_memory *memory, struct shader_plan *plan)
     uint32_t *const stack = shader_take(memory, SHADER_MAX_DEPTH + 2, sizeof *stack);
     uint32_t depth = 0;
     for (uint32_t i = 0; i < form->code_count; i++) {
-        const enum shader_op op = op_at(plan, i);
+        const enum shader_op op = shader_op_at(plan, i);
         uint32_t count;
         const uint32_t *const operands = operands_at(plan, i, &count);
         for (uint32_t o = 0; o < count; o++) {
@@ -238,7 +228,7 @@ static void place_homes(struct shader_memory *memory, struct shader_plan *plan)
             plan->home_run[home] = is_alone ? plan->run[i] : SHADER_NONE;
             is_seen[home] = true;
         }
-        if (opens(op)) {
+        if (shader_opens(op)) {
             stack[depth++] = i;
             wide_loops += op == SHADER_LOOP && plan->structures[i].is_wide ? 1 : 0;
         } else if (closes(op)) {

@@ -43,6 +43,11 @@ struct shader_plan {
     bool has_steps_alone;                    // it shows nowhere how many groups go through the code together
 };
 
+static inline enum shader_op shader_op_at(const struct shader_plan *plan, uint32_t place)
+{
+    return (enum shader_op)plan->form->nodes[plan->form->code[place]].op;
+}
+
 bool shader_is_cut(const struct shader_plan *plan, uint32_t place);
 bool shader_is_wide(const struct shader_plan *plan, uint32_t place);
 // Return true for the home of a resource that is found once a call, which serves everywhere in the place of its home.

@@ -111,7 +111,7 @@ static void find_ranges(struct finder *finder)
         for (uint32_t o = 0; o < operand_count; o++) {
             read_at(finder, operands[o], i, loops, loop_depth, loop_end);
         }
-        if (shader_opens((uint16_t)op) && !shader_is_jump(finder->program, value)) { // its masks
+        if (shader_opens(op) && !shader_is_jump(finder->program, value)) { // its masks
             extend(&finder->ranges[value], i);
             extend(&finder->ranges[value], structure_end[i]);
         }

@@ -19,9 +19,4 @@ const struct shader_live_range *shader_find_live_ranges(struct shader_program *p
 // Return true for an IF whose condition all lanes share: the code jumps, and masks stay as they are.
 bool shader_is_jump(const struct shader_program *program, uint32_t value);
 
-static inline bool shader_opens(uint16_t op)
-{
-    return op == SHADER_IF || op == SHADER_REGION || op == SHADER_LOOP;
-}
-
 #endif

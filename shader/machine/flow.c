@@ -7,9 +7,7 @@
 
 #include <stdio.h>
 
-enum { WORTH_A_JUMP = 8, ROUNDS_A_QUESTION = 256 };
-
-static void generate_narrow(struct shader_generator *g, uint32_t begin, uint32_t end, uint32_t parent);
+enum { ROUNDS_A_QUESTION = 256 };
 
 // Masks ----------------------------------------------------------------------------------------------
 
@@ -173,7 +171,7 @@ static void generate_branch(struct shader_generator *g, uint32_t begin, uint32_t
     const uint32_t outer = g->block_mask;
     g->mask = g->block_mask = mask;
     g->is_dead = false;
-    generate_narrow(g, begin, end, SHADER_NONE);
+    shader_walk_narrow(&g->walk, begin, end, SHADER_NONE);
     take_mask(g, mask);
     g->block_mask = outer;
     g->is_dead = false;
@@ -270,7 +268,7 @@ static void generate_region(struct shader_generator *g, uint32_t place)
     begin_leaving(g, place);
     shader_end_place(g);
     g->block_mask = before;
-    generate_narrow(g, place + 1, end, place);
+    shader_walk_narrow(&g->walk, place + 1, end, place);
     take_mask(g, before);
     g->block_mask = outer;
     g->place = end;
@@ -319,7 +317,7 @@ static void generate_loop(struct shader_generator *g, uint32_t place)
     shader_end_place(g);
     g->loop_depth++;
     g->mask = g->block_mask = round;
-    generate_narrow(g, place + 1, end, place);
+    shader_walk_narrow(&g->walk, place + 1, end, place);
     g->loop_depth--;
     g->place = end;
     if (!g->is_dead) {
@@ -344,33 +342,23 @@ static void generate_loop(struct shader_generator *g, uint32_t place)
     end_leaving(g, place, before);
 }
 
-// Runs -----------------------------------------------------------------------------------------------
+// The whole ------------------------------------------------------------------------------------------
 
-// Where lanes were lost and none is left, go to the end of what is around, if that is worth it.
-static void skip_rest(struct shader_generator *g, uint32_t places, uint32_t parent)
+void shader_skip_rest(void *user, uint32_t structure)
 {
-    const bool is_outermost = parent == SHADER_NONE && g->divergence == 0 && g->kind == RHW_SHADER_FRAGMENT &&
-                              !g->plan.has_cuts && g->loop_depth == 0;
-    if (places < WORTH_A_JUMP || (parent == SHADER_NONE && !is_outermost)) {
-        return;
-    }
+    struct shader_generator *const g = user;
     test_mask(g, g->mask);
-    if (is_outermost) {
+    if (structure == SHADER_NONE) {
         shader_edge_jump_if(g, X86_EQUAL, g->group_end, g->form->code_count);
     } else {
-        shader_edge_jump_if(g, X86_EQUAL, g->ends[parent], g->plan.structures[parent].end);
+        shader_edge_jump_if(g, X86_EQUAL, g->ends[structure], g->plan.structures[structure].end);
     }
 }
 
-uint32_t shader_generate_item(struct shader_generator *g, uint32_t place)
+void shader_generate_structure(void *user, uint32_t place)
 {
-    const enum shader_op op = shader_op_at(g, place);
-    if (!shader_opens(op)) {
-        if (!g->plan.is_hoisted[g->form->code[place]]) {
-            shader_generate_node(g, place);
-        }
-        return place + 1;
-    }
+    struct shader_generator *const g = user;
+    const enum shader_op op = shader_op_at(&g->plan, place);
     g->place = place;
     shader_encode_mark(&g->code, g->form->code[place]);
     if (op == SHADER_IF) {
@@ -382,18 +370,4 @@ uint32_t shader_generate_item(struct shader_generator *g, uint32_t place)
     }
     g->place = g->plan.structures[place].end;
     shader_end_place(g);
-    return g->place + 1;
-}
-
-static void generate_narrow(struct shader_generator *g, uint32_t begin, uint32_t end, uint32_t parent)
-{
-    uint32_t i = begin;
-    while (i < end && !g->is_dead) {
-        const uint32_t mask = g->mask;
-        const bool is_structure = shader_opens(shader_op_at(g, i));
-        i = shader_generate_item(g, i);
-        if (is_structure && g->mask != mask) {
-            skip_rest(g, end - i, parent);
-        }
-    }
 }

@@ -12,7 +12,7 @@
 
 #include "calls.h"
 #include "encoder.h"
-#include "form/plan.h"
+#include "form/walk.h"
 #include "form/linked_stage.h"
 
 enum { VECTOR = 32, REGISTERS = 16, NO_COMPONENT = 0xff };
@@ -86,6 +86,7 @@ struct shader_generator {
     uint32_t frame_size, record_size;      // bytes
     uint32_t own;                          // offset of the lanes' memory, in the frame or record
     // Structure
+    struct shader_walk walk;
     uint32_t mask, alive;          // values: active lanes, and those that have not left
     uint32_t block_mask;           // the mask with which the block began
     uint32_t run_mask;             // the mask with which the run began
@@ -93,7 +94,6 @@ struct shader_generator {
     uint32_t loop_depth;           // loops of the run around this place
     bool is_dead;                  // no lane comes to this place
     bool is_gone;                  // code does not come to this place
-    bool is_run_open;              // this place is in a loop over groups
     uint32_t group_loop;           // label where a loop over groups goes back to
     uint32_t exit;                 // label of the end of the function
     struct shader_edge *group_end; // where the code of a group ends
@@ -209,19 +209,10 @@ void shader_pair_once(struct shader_generator *g);
 
 // flow.c ---------------------------------------------------------------------------------------------
 
-static inline enum shader_op shader_op_at(const struct shader_generator *g, uint32_t place)
-{
-    return (enum shader_op)g->form->nodes[g->form->code[place]].op;
-}
-
-static inline bool shader_opens(enum shader_op op)
-{
-    return op == SHADER_IF || op == SHADER_REGION || op == SHADER_LOOP;
-}
-
 void shader_generate_node(struct shader_generator *g, uint32_t place);
-// Write one item of a run, a node or narrow structure. Return the place behind it.
-uint32_t shader_generate_item(struct shader_generator *g, uint32_t place);
+// Functions of struct shader_walk, for narrow structure.
+void shader_generate_structure(void *user, uint32_t place);
+void shader_skip_rest(void *user, uint32_t structure);
 // Where a loop has gone round often, leave the function if the work is given up.
 void shader_generate_giving_up(struct shader_generator *g, const struct shader_edge *edge);
 // Set flags by a truth that all lanes of the call share: zero where it is false.

@@ -3,8 +3,6 @@
 // groups go through together. Masks of that have an element for each group, in its record.
 #include "generator.h"
 
-static void generate_wide(struct shader_generator *g, uint32_t begin, uint32_t end);
-
 // Runs -----------------------------------------------------------------------------------------------
 
 // Homes of a run begin with it.
@@ -18,12 +16,9 @@ static void begin_homes(struct shader_generator *g, uint32_t run)
     }
 }
 
-static void open_run(struct shader_generator *g, uint32_t place)
+static void open_run(void *user, uint32_t place)
 {
-    if (g->is_run_open) {
-        return;
-    }
-    g->is_run_open = true;
+    struct shader_generator *const g = user;
     g->place = place;
     shader_open_groups(g);
     if (!g->plan.has_cuts) {
@@ -61,12 +56,9 @@ static uint32_t new_kept(struct shader_generator *g)
     return value;
 }
 
-static void close_run(struct shader_generator *g)
+static void close_run(void *user)
 {
-    if (!g->is_run_open) {
-        return;
-    }
-    g->is_run_open = false;
+    struct shader_generator *const g = user;
     if (!g->plan.has_cuts) {
         end_group(g);
     } else if (g->mask != g->run_mask) {
@@ -137,7 +129,7 @@ static void generate_branch(struct shader_generator *g, uint32_t begin, uint32_t
 {
     g->mask = mask;
     g->is_dead = false;
-    generate_wide(g, begin, end);
+    shader_walk_wide(&g->walk, begin, end);
     g->is_dead = false;
 }
 
@@ -187,7 +179,7 @@ static void generate_wide_if(struct shader_generator *g, uint32_t place)
 static void generate_wide_region(struct shader_generator *g, uint32_t place)
 {
     const struct shader_structure *const structure = &g->plan.structures[place];
-    const bool is_loop = shader_op_at(g, place) == SHADER_LOOP;
+    const bool is_loop = shader_op_at(&g->plan, place) == SHADER_LOOP;
     const uint32_t before = g->mask, again = shader_label_new(&g->code);
     g->ends[place] = shader_new_edge(g);
     if (!structure->is_uniform) {
@@ -201,7 +193,7 @@ static void generate_wide_region(struct shader_generator *g, uint32_t place)
     const uint32_t round = copy_in_all(g, before);
     shader_label_place(&g->code, again);
     g->mask = round;
-    generate_wide(g, place + 1, structure->end);
+    shader_walk_wide(&g->walk, place + 1, structure->end);
     if (is_loop && !g->is_dead) {
         change_in_all(g, X86_VMOVUPS, round, g->mask);
         shader_put(g, X86_MOV | X86_WIDE, X86_RBX, 0,
@@ -224,8 +216,9 @@ static void generate_wide_region(struct shader_generator *g, uint32_t place)
     }
 }
 
-static void generate_wide_leave(struct shader_generator *g, uint32_t place)
+static void generate_wide_leave(void *user, uint32_t place)
 {
+    struct shader_generator *const g = user;
     const uint32_t node = g->form->code[place];
     const uint32_t target = g->plan.place[g->form->nodes[node].operands[0]];
     g->is_dead = true;
@@ -237,52 +230,38 @@ static void generate_wide_leave(struct shader_generator *g, uint32_t place)
     change_in_all(g, X86_VANDNPS, g->alive, g->mask); // ~mask & alive
 }
 
-// Write a barrier, an atomic that all groups come to before any goes on, or wide structure. Return the place behind it.
-static uint32_t generate_wide_item(struct shader_generator *g, uint32_t place)
+static void generate_wide_structure(void *user, uint32_t place)
 {
-    close_run(g);
+    struct shader_generator *const g = user;
     g->place = place;
-    const enum shader_op op = shader_op_at(g, place);
-    if (shader_is_cut(&g->plan, place)) {
-        if (op != SHADER_BARRIER) {
-            open_run(g, place);
-            shader_generate_node(g, place);
-            close_run(g);
-        }
-        return place + 1;
-    }
-    if (op == SHADER_LEAVE) {
-        generate_wide_leave(g, place);
-        return place + 1;
-    }
-    if (op == SHADER_IF) {
+    if (shader_op_at(&g->plan, place) == SHADER_IF) {
         generate_wide_if(g, place);
     } else {
         generate_wide_region(g, place);
     }
-    return g->plan.structures[place].end + 1;
 }
 
-static void generate_wide(struct shader_generator *g, uint32_t begin, uint32_t end)
+static void generate_node(void *user, uint32_t place)
 {
-    uint32_t i = begin;
-    while (i < end && !g->is_dead) {
-        if (shader_is_cut(&g->plan, i) || shader_is_wide(&g->plan, i)) {
-            i = generate_wide_item(g, i);
-        } else if (g->plan.is_hoisted[g->form->code[i]]) {
-            i++;
-        } else {
-            if (g->plan.is_step[i]) {
-                close_run(g);
-            }
-            open_run(g, i);
-            i = shader_generate_item(g, i);
-        }
-    }
-    close_run(g);
+    shader_generate_node(user, place);
 }
 
 void shader_generate_code(struct shader_generator *g)
 {
-    generate_wide(g, 0, g->form->code_count);
+    g->walk = (struct shader_walk){.plan = &g->plan,
+                                   .user = g,
+                                   .mask = &g->mask,
+                                   .divergence = &g->divergence,
+                                   .loop_depth = &g->loop_depth,
+                                   .is_dead = &g->is_dead,
+                                   .has_once = true,
+                                   .skips_group = g->kind == RHW_SHADER_FRAGMENT && !g->plan.has_cuts,
+                                   .node = generate_node,
+                                   .narrow = shader_generate_structure,
+                                   .wide = generate_wide_structure,
+                                   .leave_wide = generate_wide_leave,
+                                   .open_run = open_run,
+                                   .close_run = close_run,
+                                   .skip = shader_skip_rest};
+    shader_walk_wide(&g->walk, 0, g->form->code_count);
 }
