@@ -54,7 +54,10 @@ void shader_c_define(struct shader_emitter *emitter, uint32_t value, const char 
 // Write a node that is neither structure nor an access to memory or images.
 void shader_c_write_value(struct shader_emitter *emitter, uint32_t place);
 
-// c_memory.c. Write inputs, outputs, loads, stores, atomics. Return false where the node is none of these.
+// c_input.c. Write an input or output. Return false where the node is neither.
+bool shader_c_write_input(struct shader_emitter *emitter, uint32_t place);
+
+// c_memory.c. Write loads, stores, atomics. Return false where the node is none of these.
 bool shader_c_write_access(struct shader_emitter *emitter, uint32_t place);
 // Write what is reached through a binding: begin a loop over the bindings that lanes name where they name several.
 // Return the binding that is named; shader_c_end_bindings ends the loop. *lanes is the mask that counts.

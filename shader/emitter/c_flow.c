@@ -233,7 +233,8 @@ void shader_c_write_node(void *user, uint32_t place)
     case SHADER_LEAVE:
     case SHADER_DISCARD: write_leave(emitter, place); break;
     default:
-        if (!shader_c_write_access(emitter, place) && !shader_c_write_image(emitter, place)) {
+        if (!shader_c_write_input(emitter, place) && !shader_c_write_access(emitter, place) &&
+            !shader_c_write_image(emitter, place)) {
             shader_c_write_value(emitter, place);
         }
     }
