@@ -17,7 +17,7 @@ struct shader_walk {
     bool has_once; // what is computed once a call is written already
     bool skips_group; // where a group has no active lane, and has nothing around that may wait for it, its code may end
     void (*node)(void *user, uint32_t place);
-    void (*barrier)(void *user); // or NULL
+    void (*barrier)(void *user); // NULL: a back end writes none
     // Structure from a place on whose inside the back end has walked, too: narrow, and wide. A LEAVE of wide structure.
     void (*narrow)(void *user, uint32_t place);
     void (*wide)(void *user, uint32_t place);

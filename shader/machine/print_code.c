@@ -5,8 +5,8 @@
 #include <stdio.h>
 #include <string.h>
 
-// Operands that are not as wide as the instruction. Kinds of registers: y and x are vectors of 256 and 128 bits, q and d
-// integers of 64 and 32.
+// Operands that are not as wide as the instruction. Kinds of registers: y and x are vectors of 256 and 128 bits, q and
+// d integers of 64 and 32.
 static const struct {
     char reg, rm;
 } widths[X86_INSTRUCTIONS] = {
