@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Commands beside draws: queries, secondary command buffers, clears of attachments, events, timelines and renderings.
 #include <string.h>
+#include <time.h>
 
 #include "quad_vert.h"
 #include "shade_frag.h"
@@ -183,6 +184,63 @@ static void events_are_waited_for(void **state)
     rig_close(&rig);
 }
 
+static int64_t microseconds(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return now.tv_sec * INT64_C(1000000) + now.tv_nsec / 1000;
+}
+
+// A program that asks without a pause whether something is done leaves its core to the threads that do it. Ways to ask
+// that do not wait are asked for a tenth of a second each, which is time for a hundred thousand answers.
+static void answers_come_slowly_while_work_is_under_way(void **state)
+{
+    (void)state;
+    struct rig rig;
+    rig_open(&rig);
+    const VkSemaphoreTypeCreateInfo type = {.sType = VK_STRUCTURE_TYPE_SEMAPHORE_TYPE_CREATE_INFO,
+                                            .semaphoreType = VK_SEMAPHORE_TYPE_TIMELINE};
+    const VkSemaphoreCreateInfo semaphore_info = {.sType = VK_STRUCTURE_TYPE_SEMAPHORE_CREATE_INFO,
+                                                  .pNext = &type};
+    const VkEventCreateInfo event_info = {.sType = VK_STRUCTURE_TYPE_EVENT_CREATE_INFO};
+    const VkFenceCreateInfo fence_info = {.sType = VK_STRUCTURE_TYPE_FENCE_CREATE_INFO};
+    const PFN_vkGetSemaphoreCounterValueKHR get =
+        (PFN_vkGetSemaphoreCounterValueKHR)vkGetDeviceProcAddr(rig.device, "vkGetSemaphoreCounterValueKHR");
+    VkSemaphore semaphore;
+    VkEvent event;
+    VkFence fence;
+    uint64_t value = 1;
+    CHECK(vkCreateSemaphore(rig.device, &semaphore_info, NULL, &semaphore));
+    CHECK(vkCreateEvent(rig.device, &event_info, NULL, &event));
+    CHECK(vkCreateFence(rig.device, &fence_info, NULL, &fence));
+    vkCmdWaitEvents(rig.commands, 1, &event, VK_PIPELINE_STAGE_HOST_BIT, VK_PIPELINE_STAGE_TRANSFER_BIT, 0,
+                    NULL, 0, NULL, 0, NULL);
+    CHECK(vkEndCommandBuffer(rig.commands));
+    const VkSubmitInfo submit = {
+        .sType = VK_STRUCTURE_TYPE_SUBMIT_INFO, .commandBufferCount = 1, .pCommandBuffers = &rig.commands};
+    CHECK(vkQueueSubmit(rig.queue, 1, &submit, fence));
+    for (int way = 0; way < 4; way++) {
+        int answers = 0;
+        for (const int64_t end = microseconds() + 100000; microseconds() < end; answers++) {
+            switch (way) {
+            case 0: assert_int_equal(vkGetFenceStatus(rig.device, fence), VK_NOT_READY); break;
+            case 1: assert_int_equal(vkWaitForFences(rig.device, 1, &fence, VK_TRUE, 0), VK_TIMEOUT); break;
+            case 2: assert_int_equal(vkGetEventStatus(rig.device, event), VK_EVENT_RESET); break;
+            case 3: CHECK(get(rig.device, semaphore, &value)); break;
+            }
+        }
+        assert_in_range(answers, 1, 2000);
+    }
+    assert_int_equal(value, 0);
+    CHECK(vkSetEvent(rig.device, event));
+    CHECK(vkWaitForFences(rig.device, 1, &fence, VK_TRUE, UINT64_MAX));
+    CHECK(vkGetFenceStatus(rig.device, fence));
+    vkDestroySemaphore(rig.device, semaphore, NULL);
+    vkDestroyEvent(rig.device, event, NULL);
+    vkDestroyFence(rig.device, fence, NULL);
+    rig_close(&rig);
+}
+
 // A timeline is waited for by what is submitted, and by the program; the program signals it too.
 static void timelines_count(void **state)
 {
@@ -301,6 +359,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(attachments_are_cleared_between_draws),
     cmocka_unit_test(secondary_buffers_draw_in_a_pass),
     cmocka_unit_test(events_are_waited_for),
+    cmocka_unit_test(answers_come_slowly_while_work_is_under_way),
     cmocka_unit_test(timelines_count),
     cmocka_unit_test(renderings_need_no_render_pass),
 };

@@ -12,6 +12,7 @@ struct VkFence_T {
 struct VkSemaphore_T {
     bool is_timeline;
     uint64_t value; ///< counter of a timeline; binary ones are satisfied by the order of what is submitted
+    uint64_t told;  ///< value that the program was told last
 };
 
 struct VkEvent_T {

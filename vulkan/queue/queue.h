@@ -41,6 +41,8 @@ struct VkQueue_T {
     struct vulkan_arena_block *arena;       ///< memory that replay keeps from one submission to the next
     bool ends;                              ///< the thread ends when nothing is left
     bool is_lost;                           ///< a shader was given up or memory ran out
+    uint64_t asked;                         ///< time of the last answer of vulkan_queue_ask that was no
+    uint32_t refusals;                      ///< how many answers were no without a pause between them
     struct vulkan_submission *first, *last; ///< what waits or runs, in order
     struct vulkan_retired *retired;
     size_t retired_count, retired_capacity;
@@ -58,6 +60,11 @@ uint64_t vulkan_now(void);
 // Wait until `is_true` holds, for at most `timeout` nanoseconds, UINT64_MAX for ever. `is_true` is called with the lock
 // held. Return VK_SUCCESS, VK_TIMEOUT or VK_ERROR_DEVICE_LOST.
 VkResult vulkan_queue_wait(VkQueue queue, bool (*is_true)(void *user), void *user, uint64_t timeout);
+
+// Return what vulkan_queue_wait returns for a timeout of 0. A program that asks again and again, without a pause, takes
+// a core from the threads that do what it asks for: while the queue has work, it gets its answer later, by a
+// millisecond at most, or as soon as it is yes.
+VkResult vulkan_queue_ask(VkQueue queue, bool (*is_true)(void *user), void *user);
 
 // Let the queue's thread destroy an id, which may be the null id. Any thread may call these.
 void vulkan_retire_texture(VkQueue queue, rhw_texture texture);

@@ -33,14 +33,27 @@ void vulkan_semaphore_signal(VkQueue queue, VkSemaphore semaphore, uint64_t valu
     }
 }
 
+// The value of a semaphore that a program was told before.
+struct told {
+    VkSemaphore semaphore;
+    uint64_t value;
+};
+
+static bool is_new(void *user)
+{
+    struct told *const told = user;
+    const bool is_news = told->semaphore->value != told->semaphore->told;
+    told->value = told->semaphore->told = told->semaphore->value;
+    return is_news;
+}
+
 VKAPI_ATTR VkResult VKAPI_CALL vkGetSemaphoreCounterValue(VkDevice device, VkSemaphore semaphore,
                                                           uint64_t *value)
 {
-    pthread_mutex_lock(&device->queue.lock);
-    *value = semaphore->value;
-    const bool is_lost = device->queue.is_lost;
-    pthread_mutex_unlock(&device->queue.lock);
-    return is_lost ? VK_ERROR_DEVICE_LOST : VK_SUCCESS;
+    struct told told = {semaphore, 0};
+    const VkResult result = vulkan_queue_ask(&device->queue, is_new, &told);
+    *value = told.value;
+    return result == VK_TIMEOUT ? VK_SUCCESS : result;
 }
 
 static bool have_values(void *user)
@@ -57,7 +70,8 @@ VKAPI_ATTR VkResult VKAPI_CALL vkWaitSemaphores(VkDevice device, const VkSemapho
                                                 uint64_t timeout)
 {
     VkSemaphoreWaitInfo wait = *info;
-    return vulkan_queue_wait(&device->queue, have_values, &wait, timeout);
+    return timeout == 0 ? vulkan_queue_ask(&device->queue, have_values, &wait)
+                        : vulkan_queue_wait(&device->queue, have_values, &wait, timeout);
 }
 
 VKAPI_ATTR VkResult VKAPI_CALL vkSignalSemaphore(VkDevice device, const VkSemaphoreSignalInfo *info)
