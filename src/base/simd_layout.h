@@ -35,24 +35,66 @@ RHW_INLINE void f32x4_transpose(f32x4 m[4])
     m[3] = __builtin_shufflevector(b, d, 2, 3, 6, 7);
 }
 
-// Turn 8 rows of 4 floats into 4 vectors of one component each.
-RHW_INLINE void f32x4_columns(const f32x4 row[8], f32x8 column[4])
+// Return the lower, or the upper, 4 lanes of a and behind them those of b.
+RHW_INLINE f32x8 f32x8_join_low(f32x8 a, f32x8 b)
 {
 #if defined(__AVX2__)
-    __m256 r[4], t[4];
+    return (f32x8)_mm256_permute2f128_ps((__m256)a, (__m256)b, 0x20);
+#else
+    f32x4 low[2];
+    memcpy(&low[0], &a, sizeof low[0]);
+    memcpy(&low[1], &b, sizeof low[1]);
+    return f32x8_load(low);
+#endif
+}
+
+RHW_INLINE f32x8 f32x8_join_high(f32x8 a, f32x8 b)
+{
+#if defined(__AVX2__)
+    return (f32x8)_mm256_permute2f128_ps((__m256)a, (__m256)b, 0x31);
+#else
+    f32x4 high[2];
+    memcpy(&high[0], (const char *)&a + sizeof high[0], sizeof high[0]);
+    memcpy(&high[1], (const char *)&b + sizeof high[1], sizeof high[1]);
+    return f32x8_load(high);
+#endif
+}
+
+// Repeat lanes: spread[i] has lane i four times, and behind it lane i + 4 four times.
+RHW_INLINE void f32x8_spread(f32x8 v, f32x8 spread[4])
+{
+#if defined(__AVX2__)
+    spread[0] = (f32x8)_mm256_permute_ps((__m256)v, 0x00);
+    spread[1] = (f32x8)_mm256_permute_ps((__m256)v, 0x55);
+    spread[2] = (f32x8)_mm256_permute_ps((__m256)v, 0xAA);
+    spread[3] = (f32x8)_mm256_permute_ps((__m256)v, 0xFF);
+#else
     for (int i = 0; i < 4; i++) {
-        r[i] = _mm256_insertf128_ps(_mm256_castps128_ps256((__m128)row[i]), (__m128)row[i + 4], 1);
+        const f32x4 halves[2] = {{v[i], v[i], v[i], v[i]}, {v[i + 4], v[i + 4], v[i + 4], v[i + 4]}};
+        spread[i] = f32x8_load(halves);
     }
+#endif
+}
+
+// Turn 8 rows of 4 floats into 4 vectors of one component each. row[i] has rows i and i + 4.
+RHW_INLINE void f32x8_columns(const f32x8 row[4], f32x8 column[4])
+{
+#if defined(__AVX2__)
+    __m256 t[4];
     for (int i = 0; i < 2; i++) {
-        t[2 * i] = _mm256_unpacklo_ps(r[2 * i], r[2 * i + 1]);
-        t[2 * i + 1] = _mm256_unpackhi_ps(r[2 * i], r[2 * i + 1]);
+        t[2 * i] = _mm256_unpacklo_ps((__m256)row[2 * i], (__m256)row[2 * i + 1]);
+        t[2 * i + 1] = _mm256_unpackhi_ps((__m256)row[2 * i], (__m256)row[2 * i + 1]);
     }
     column[0] = (f32x8)_mm256_shuffle_ps(t[0], t[2], 0x44);
     column[1] = (f32x8)_mm256_shuffle_ps(t[0], t[2], 0xEE);
     column[2] = (f32x8)_mm256_shuffle_ps(t[1], t[3], 0x44);
     column[3] = (f32x8)_mm256_shuffle_ps(t[1], t[3], 0xEE);
 #else
-    f32x4 low[4] = {row[0], row[1], row[2], row[3]}, high[4] = {row[4], row[5], row[6], row[7]};
+    f32x4 low[4], high[4];
+    for (int i = 0; i < 4; i++) {
+        memcpy(&low[i], &row[i], sizeof low[i]);
+        memcpy(&high[i], (const char *)&row[i] + sizeof low[i], sizeof high[i]);
+    }
     f32x4_transpose(low);
     f32x4_transpose(high);
     for (int c = 0; c < 4; c++) {
@@ -60,6 +102,17 @@ RHW_INLINE void f32x4_columns(const f32x4 row[8], f32x8 column[4])
         column[c] = f32x8_load(halves);
     }
 #endif
+}
+
+// Turn 8 rows of 4 floats into 4 vectors of one component each.
+RHW_INLINE void f32x4_columns(const f32x4 row[8], f32x8 column[4])
+{
+    f32x8 pair[4];
+    for (int i = 0; i < 4; i++) {
+        const f32x4 both[2] = {row[i], row[i + 4]};
+        pair[i] = f32x8_load(both);
+    }
+    f32x8_columns(pair, column);
 }
 
 // Turn 4 vectors of one component each into 8 rows of 4 floats.

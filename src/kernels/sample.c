@@ -22,7 +22,7 @@ void RHW_ISA_NAME(rhw_sample_float)(const struct rhw_binding_data *binding,
 void RHW_ISA_NAME(rhw_sample_halves)(const struct rhw_binding_data *binding,
                                      const struct rhw_sample_request *request, rhw_float texel[4])
 {
-    sample_float(binding, request, true, texel);
+    sample_halves(binding, request, texel);
 }
 
 void RHW_ISA_NAME(rhw_sample_compared)(const struct rhw_binding_data *binding,

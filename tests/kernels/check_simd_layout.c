@@ -110,6 +110,29 @@ static void run_f32x4_columns(const void *input, void *result)
     memcpy(result, columns, sizeof columns);
 }
 
+static void run_f32x8_columns(const void *input, void *result)
+{
+    f32x8 rows[4], columns[4];
+    memcpy(rows, input, sizeof rows);
+    f32x8_columns(rows, columns);
+    memcpy(result, columns, sizeof columns);
+}
+
+static void run_f32x8_join(const void *input, void *result)
+{
+    const struct layout_input *const lanes = input;
+    const f32x8 a = f32x8_load(lanes->f[0]), b = f32x8_load(lanes->f[1]);
+    const f32x8 joined[2] = {f32x8_join_low(a, b), f32x8_join_high(a, b)};
+    memcpy(result, joined, sizeof joined);
+}
+
+static void run_f32x8_spread(const void *input, void *result)
+{
+    f32x8 spread[4];
+    f32x8_spread(f32x8_load(input), spread);
+    memcpy(result, spread, sizeof spread);
+}
+
 static void run_f32x4_rows(const void *input, void *result)
 {
     f32x4 rows[8];
@@ -251,6 +274,9 @@ static const struct kernel_check checks[] = {
     {"f32x4_transpose", sizeof(struct layout_input), 2 * WORDS, KERNEL_BITS, make_floats,
      run_f32x4_transpose},
     {"f32x4_columns", sizeof(struct layout_input), 4 * WORDS, KERNEL_BITS, make_floats, run_f32x4_columns},
+    {"f32x8_columns", sizeof(struct layout_input), 4 * WORDS, KERNEL_BITS, make_floats, run_f32x8_columns},
+    {"f32x8_join", sizeof(struct layout_input), 2 * WORDS, KERNEL_BITS, make_floats, run_f32x8_join},
+    {"f32x8_spread", sizeof(struct layout_input), 4 * WORDS, KERNEL_BITS, make_floats, run_f32x8_spread},
     {"f32x4_rows", sizeof(struct layout_input), 4 * WORDS, KERNEL_BITS, make_floats, run_f32x4_rows},
     {"f32x8_load_columns", sizeof(struct layout_input), 4 * WORDS, KERNEL_BITS, make_floats,
      run_f32x8_load_columns},

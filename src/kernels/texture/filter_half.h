@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // A special path of the sampler serves linear filters of four halves a texel, where no footprint meets an edge. Two
-// texels of a row lie side by side, and are converted and mixed as they lie, channel beside channel; lanes are put
-// together at the end. It gives the bytes of filter_float.h: 11 % fewer instructions in transmission.
+// texels of a row lie side by side, and are converted and mixed as they lie, channel beside channel, for two lanes at
+// once; lanes are put together at the end. It gives the bytes of filter_float.h: 11 % fewer instructions in
+// transmission.
 #ifndef RHW_FILTER_HALF_H
 #define RHW_FILTER_HALF_H
 
@@ -13,20 +14,14 @@ RHW_INLINE bool footprints_inside(const struct rhw_mip *mip, i32x8 x, i32x8 y)
     return !rhw_any((x | y | (mip->width - 2 - x) | (mip->height - 2 - y)) >> 31);
 }
 
-RHW_INLINE f32x4 mix_channels(f32x4 a, f32x4 b, float t)
+// Mix a row of the footprints of two lanes: their left texels with their right ones, channel beside channel.
+RHW_INLINE f32x8 mix_half_rows(const unsigned char *first, const unsigned char *second, f32x8 weight)
 {
-    return a + (b - a) * (f32x4){t, t, t, t};
-}
-
-// Mix a row of one footprint.
-RHW_INLINE f32x4 mix_half_row(const unsigned char *texels, float weight)
-{
-    i32x4 halves;
-    memcpy(&halves, texels, sizeof halves);
-    const f32x8 values = f32x8_from_halves(halves);
-    f32x4 pair[2];
-    memcpy(pair, &values, sizeof pair);
-    return mix_channels(pair[0], pair[1], weight);
+    i32x4 halves[2];
+    memcpy(&halves[0], first, sizeof halves[0]);
+    memcpy(&halves[1], second, sizeof halves[1]);
+    const f32x8 one = f32x8_from_halves(halves[0]), other = f32x8_from_halves(halves[1]);
+    return rhw_mix(f32x8_join_low(one, other), f32x8_join_high(one, other), weight);
 }
 
 // Filter footprints that all lie inside.
@@ -34,17 +29,17 @@ RHW_INLINE void filter_halves(const struct rhw_mip *mip, i32x8 x, i32x8 y, f32x8
                               f32x8 texel[4])
 {
     uint32_t at[RHW_LANES];
-    float across[RHW_LANES], down[RHW_LANES];
-    f32x4 mixed[RHW_LANES];
+    f32x8 across[4], down[4], mixed[4];
     spill_lanes(y * (int32_t)(mip->row_pitch / 8) + x, at);
-    f32x8_store(across, weight_x);
-    f32x8_store(down, weight_y);
-    for (int lane = 0; lane < RHW_LANES; lane++) {
-        const unsigned char *const first = mip->texels + (size_t)at[lane] * 8;
-        mixed[lane] = mix_channels(mix_half_row(first, across[lane]),
-                                   mix_half_row(first + mip->row_pitch, across[lane]), down[lane]);
+    f32x8_spread(weight_x, across);
+    f32x8_spread(weight_y, down);
+    for (int i = 0; i < 4; i++) {
+        const unsigned char *const first = mip->texels + (size_t)at[i] * 8;
+        const unsigned char *const second = mip->texels + (size_t)at[i + 4] * 8;
+        mixed[i] = rhw_mix(mix_half_rows(first, second, across[i]),
+                           mix_half_rows(first + mip->row_pitch, second + mip->row_pitch, across[i]), down[i]);
     }
-    f32x4_columns(mixed, texel);
+    f32x8_columns(mixed, texel);
 }
 
 #endif
