@@ -32,9 +32,9 @@ static bool is_shadow_map(const struct rhw_texture_data *texture, const struct r
            (texture->levels == 1 || sampler->def.mip_filter == RHW_MIP_FILTER_NONE);
 }
 
-static bool has_four_halves(const struct rhw_texture_data *texture)
+static bool has_halves(const struct rhw_texture_data *texture)
 {
-    return texture->info->codec == RHW_CODEC_FLOAT16 && texture->info->channels == 4;
+    return texture->info->codec == RHW_CODEC_FLOAT16 && texture->info->channels != 1;
 }
 
 struct rhw_binding_data rhw_binding_of(const struct rhw_kernels *kernels, enum rhw_paths paths,
@@ -69,7 +69,7 @@ struct rhw_binding_data rhw_binding_of(const struct rhw_kernels *kernels, enum r
     } else if (texture && special && sampler->filters_compared && is_shadow_map(texture, sampler)) {
         binding.sample = kernels->sample_compared;
         binding.compares_windows = !anisotropic;
-    } else if (texture && special && sampler->filters_plainly && has_four_halves(texture)) {
+    } else if (texture && special && sampler->filters_plainly && has_halves(texture)) {
         binding.sample = kernels->sample_halves;
     }
     if (!texture) {

@@ -64,8 +64,8 @@ struct rhw_kernels {
     // Sample plain 2D textures of every format with every sampler that asks for no more, in floats, and a slot without
     // a texture.
     rhw_sample_function *sample_float;
-    // Sample plain 2D textures of four halves by linear filters without a border or a comparison. It gives the bytes of
-    // sample_float sooner.
+    // Sample plain 2D textures of two or four halves by linear filters without a border or a comparison. It gives the
+    // bytes of sample_float sooner.
     rhw_sample_function *sample_halves;
     // Sample one level of plain 2D textures of one float by samplers that take it (sampler.h). It gives the bytes of
     // sample_float sooner.

@@ -90,7 +90,7 @@ static inline void filter_bilinear(const struct float_source *source, const stru
     const f32x8 weight_x = x - left, weight_y = y - top;
     const i32x8 x0 = rhw_int_from_float_unchecked(left), y0 = rhw_int_from_float_unchecked(top);
     if (source->halves && footprints_inside(mip, x0, y0)) {
-        filter_halves(mip, x0, y0, weight_x, weight_y, texel);
+        filter_halves(source->format, mip, x0, y0, weight_x, weight_y, texel);
         return;
     }
     f32x8 footprint[4][4];
@@ -196,8 +196,8 @@ static __attribute__((noinline)) void sample_float(const struct rhw_binding_data
     }
 }
 
-// Sample four halves a texel linearly. Where one level is read and one filter, whatever the level of detail is, it is
-// not worked out: a third of the instructions of a blur.
+// Sample two or four halves a texel linearly. Where one level is read by one filter, the level of detail says nothing
+// and is not worked out.
 static inline void sample_halves(const struct rhw_binding_data *binding,
                                  const struct rhw_sample_request *request, f32x8 texel[4])
 {
@@ -213,7 +213,7 @@ static inline void sample_halves(const struct rhw_binding_data *binding,
     const f32x8 left = rhw_floor(x), top = rhw_floor(y);
     const i32x8 x0 = rhw_int_from_float_unchecked(left), y0 = rhw_int_from_float_unchecked(top);
     if (footprints_inside(mip, x0, y0)) {
-        filter_halves(mip, x0, y0, x - left, y - top, texel);
+        filter_halves(texture->info, mip, x0, y0, x - left, y - top, texel);
     } else {
         sample_float(binding, request, true, texel);
     }

@@ -10,8 +10,9 @@
 #include "reference.h"
 
 const enum rhw_format sampled_formats[SAMPLED_FORMATS] = {
-    RHW_FORMAT_R8_UNORM,     RHW_FORMAT_RG8_UNORM, RHW_FORMAT_RGBA8_UNORM,  RHW_FORMAT_RGBA8_SRGB,
-    RHW_FORMAT_RGBA16_FLOAT, RHW_FORMAT_R32_FLOAT, RHW_FORMAT_RGBA32_FLOAT, RHW_FORMAT_D32_FLOAT};
+    RHW_FORMAT_R8_UNORM,     RHW_FORMAT_RG8_UNORM,    RHW_FORMAT_RGBA8_UNORM,
+    RHW_FORMAT_RGBA8_SRGB,   RHW_FORMAT_RGBA16_FLOAT, RHW_FORMAT_R32_FLOAT,
+    RHW_FORMAT_RGBA32_FLOAT, RHW_FORMAT_D32_FLOAT,    RHW_FORMAT_RG16_FLOAT};
 
 void model_decode(enum rhw_format format, const unsigned char *texel, double value[4])
 {
@@ -31,9 +32,10 @@ void model_decode(enum rhw_format format, const unsigned char *texel, double val
             }
         }
         break;
+    case RHW_FORMAT_RG16_FLOAT:
     case RHW_FORMAT_RGBA16_FLOAT:
-        memcpy(half, texel, sizeof half);
-        for (int c = 0; c < 4; c++) {
+        memcpy(half, texel, rhw_format_size(format));
+        for (size_t c = 0; c < rhw_format_size(format) / sizeof half[0]; c++) {
             value[c] = ref_half(half[c]);
         }
         break;
@@ -149,6 +151,7 @@ rhw_texture model_random_texture(rhw_context *context, enum rhw_format format, i
     rhw_texture texture;
     assert_int_equal(rhw_texture_create(context, &def, &texture), RHW_OK);
     const size_t size = rhw_format_size(format);
+    const bool has_halves = format == RHW_FORMAT_RG16_FLOAT || format == RHW_FORMAT_RGBA16_FLOAT;
     for (int level = 0; level < rhw_texture_mip_levels(context, texture); level++) {
         const size_t count = (size_t)rhw_texture_width(context, texture, level) *
                              (size_t)rhw_texture_height(context, texture, level) * size;
@@ -157,7 +160,7 @@ rhw_texture model_random_texture(rhw_context *context, enum rhw_format format, i
             for (size_t c = 0; c < size; c++) {
                 texels[i + c] = (unsigned char)rig_random(random);
             }
-            for (size_t c = 0; format == RHW_FORMAT_RGBA16_FLOAT && c < 4; c++) {
+            for (size_t c = 0; has_halves && c < size / 2; c++) {
                 texels[i + 2 * c + 1] =
                     (unsigned char)(rig_random_int(random, 0x44) | rig_random_int(random, 2) << 7);
             }

@@ -7,7 +7,7 @@
 #include "harness.h"
 #include "resource/texture.h"
 
-enum { SAMPLED_FORMATS = 8 };
+enum { SAMPLED_FORMATS = 9 };
 extern const enum rhw_format sampled_formats[SAMPLED_FORMATS];
 
 /// One texel as it stands in memory, in linear doubles.

@@ -60,7 +60,7 @@ static void expect_texel(enum rhw_format format, const unsigned char *texel, con
             allowed = 0.5001;
         } else {
             error = stored[c] - value[c];
-            allowed = format == RHW_FORMAT_RGBA16_FLOAT ? fmax(fabs(value[c]), 6.2e-5) * 0x1.01p-11 : 2e-6;
+            allowed = format < RHW_FORMAT_R32_FLOAT ? fmax(fabs(value[c]), 6.2e-5) * 0x1.01p-11 : 2e-6;
         }
         if (!(fabs(error) <= allowed)) {
             fail_msg("format %d: a texel of %.9g is stored as %.9g", (int)format, value[c], stored[c]);
