@@ -102,10 +102,41 @@ static inline rhw_int rhw_spirv_push(const struct rhw_shader_frame *frame, rhw_i
     return value;
 }
 
+/// Return a word for each lane of `inside`, whose words there are, and 0 in other lanes. Indices are below 2^31. Lanes
+/// mostly read one word, or a row of them, which spares a gather. Words are read whole, whoever writes them.
+static inline rhw_int rhw_spirv_pick(const uint32_t *words, rhw_int index, rhw_int inside)
+{
+#if defined(__AVX2__)
+    const rhw_int row = {0, 1, 2, 3, 4, 5, 6, 7};
+    const rhw_int from_first = index - index[0];
+    if (!rhw_any(inside)) {
+        return rhw_splat_int(0);
+    }
+    if (rhw_mask_bits(rhw_equal_int(from_first, row)) == 0xff) {
+        return (rhw_int)_mm256_maskload_epi32((const int *)words + index[0], (__m256i)inside);
+    }
+    if (rhw_mask_bits(rhw_equal_int(from_first, rhw_splat_int(0))) == 0xff) {
+        return rhw_splat_int((int32_t)__atomic_load_n(&words[index[0]], __ATOMIC_RELAXED)) & inside;
+    }
+    return (rhw_int)_mm256_mask_i32gather_epi32(_mm256_setzero_si256(), (const int *)words, (__m256i)index,
+                                                (__m256i)inside, 4);
+#else
+    rhw_int value = rhw_splat_int(0);
+    for (unsigned left = (unsigned)rhw_mask_bits(inside); left != 0; left &= left - 1) {
+        const int lane = __builtin_ctz(left);
+        value[lane] = (int32_t)__atomic_load_n(&words[(uint32_t)index[lane]], __ATOMIC_RELAXED);
+    }
+    return value;
+#endif
+}
+
 /// Return a word for each lane of `mask`, and 0 in other lanes. Others may write the words at the same time.
 static inline rhw_int rhw_spirv_load(struct rhw_spirv_words words, rhw_int index, rhw_int mask)
 {
     const rhw_int inside = rhw_spirv_less_uint(index, rhw_splat_int((int32_t)words.count)) & mask;
+    if (words.count <= INT32_MAX) {
+        return rhw_spirv_pick(words.words, index, inside);
+    }
     rhw_int value = rhw_splat_int(0);
     for (unsigned left = (unsigned)rhw_mask_bits(inside); left != 0; left &= left - 1) {
         const int lane = __builtin_ctz(left);
@@ -117,10 +148,7 @@ static inline rhw_int rhw_spirv_load(struct rhw_spirv_words words, rhw_int index
 /// Return a word for each lane, of words that nobody writes.
 static inline rhw_int rhw_spirv_gather(struct rhw_spirv_words words, rhw_int index)
 {
-    if (words.count > INT32_MAX) {
-        return rhw_spirv_load(words, index, rhw_splat_int(-1));
-    }
-    return rhw_gather_int((const int32_t *)words.words, (int32_t)words.count, index);
+    return rhw_spirv_load(words, index, rhw_splat_int(-1));
 }
 
 /// Write a word for each lane of `mask` to memory of a workgroup, which one thread works on.

@@ -16,4 +16,5 @@ const struct kernel_folders RHW_ISA_NAME(kernel_folders) = {.folders = {
                                                                 &RHW_ISA_NAME(check_draw),
                                                                 &RHW_ISA_NAME(check_sample),
                                                                 &RHW_ISA_NAME(check_texel),
+                                                                &RHW_ISA_NAME(check_words),
                                                             }};

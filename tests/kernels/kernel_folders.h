@@ -19,6 +19,7 @@ RHW_ISA_DECLARE(const struct kernel_folder, check_tile);
 RHW_ISA_DECLARE(const struct kernel_folder, check_draw);
 RHW_ISA_DECLARE(const struct kernel_folder, check_sample);
 RHW_ISA_DECLARE(const struct kernel_folder, check_texel);
+RHW_ISA_DECLARE(const struct kernel_folder, check_words);
 
 // All of one instruction set, then NULL.
 struct kernel_folders {
