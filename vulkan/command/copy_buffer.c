@@ -18,6 +18,13 @@ static void replay_copy(struct vulkan_replay *replay, const struct vulkan_comman
     memmove(copy->to, copy->from, copy->size);
 }
 
+// Return the smaller number.
+static VkDeviceSize least(VkDeviceSize a, VkDeviceSize b)
+{
+    return a < b ? a : b;
+}
+
+// Bytes that one of the buffers does not have are not copied.
 VKAPI_ATTR void VKAPI_CALL vkCmdCopyBuffer(VkCommandBuffer buffer, VkBuffer from, VkBuffer to, uint32_t count,
                                            const VkBufferCopy *regions)
 {
@@ -26,7 +33,8 @@ VKAPI_ATTR void VKAPI_CALL vkCmdCopyBuffer(VkCommandBuffer buffer, VkBuffer from
         if (command) {
             command->from = from->bytes + regions[i].srcOffset;
             command->to = to->bytes + regions[i].dstOffset;
-            command->size = (size_t)regions[i].size;
+            command->size = (size_t)least(vulkan_buffer_range(from, regions[i].srcOffset, regions[i].size),
+                                          vulkan_buffer_range(to, regions[i].dstOffset, regions[i].size));
         }
     }
 }
@@ -40,7 +48,7 @@ VKAPI_ATTR void VKAPI_CALL vkCmdUpdateBuffer(VkCommandBuffer buffer, VkBuffer to
         memcpy(command + 1, data, (size_t)size);
         command->from = (const unsigned char *)(command + 1);
         command->to = to->bytes + offset;
-        command->size = (size_t)size;
+        command->size = (size_t)vulkan_buffer_range(to, offset, size);
     }
 }
 

@@ -10,6 +10,7 @@ struct buffer_copy {
     struct vulkan_command command;
     VkImage image;
     unsigned char *bytes;
+    VkDeviceSize size; // bytes of the buffer
     VkBufferImageCopy region;
 };
 
@@ -35,9 +36,29 @@ static struct rhw_texture_region image_region(const struct buffer_copy *copy)
                          region->imageOffset, region->imageExtent);
 }
 
+// Return whether a region lies within its image and its buffer, so that nothing else is read or written.
+static bool is_within(const struct buffer_copy *copy)
+{
+    const VkBufferImageCopy *const region = &copy->region;
+    const struct vulkan_rows rows = buffer_rows(copy);
+    const struct vulkan_units units =
+        vulkan_units_of(copy->image, &region->imageSubresource, region->imageExtent);
+    const size_t bytes = vulkan_format_bytes(copy->image->vulkan_format, region->imageSubresource.aspectMask);
+    const VkDeviceSize needs = units.width == 0 || units.height == 0 || units.depth == 0
+                                   ? 0
+                                   : (units.depth - 1) * rows.slice_pitch +
+                                         (units.height - 1) * rows.row_pitch + units.width * bytes;
+    return region->bufferOffset <= copy->size && needs <= copy->size - region->bufferOffset &&
+           vulkan_region_is_within(copy->image, &region->imageSubresource, region->imageOffset,
+                                   region->imageExtent);
+}
+
 static void replay_write(struct vulkan_replay *replay, const struct vulkan_command *command)
 {
     const struct buffer_copy *const copy = (const struct buffer_copy *)command;
+    if (!is_within(copy)) {
+        return;
+    }
     const struct vulkan_rows from = buffer_rows(copy);
     const VkImageSubresourceLayers *const part = &copy->region.imageSubresource;
     if (vulkan_format_is_compressed(copy->image->vulkan_format)) {
@@ -59,6 +80,9 @@ static void replay_write(struct vulkan_replay *replay, const struct vulkan_comma
 static void replay_read(struct vulkan_replay *replay, const struct vulkan_command *command)
 {
     const struct buffer_copy *const copy = (const struct buffer_copy *)command;
+    if (!is_within(copy)) {
+        return;
+    }
     const struct vulkan_rows to = buffer_rows(copy);
     const VkImageSubresourceLayers *const part = &copy->region.imageSubresource;
     if (vulkan_format_is_compressed(copy->image->vulkan_format)) {
@@ -83,6 +107,7 @@ static void record_buffer_copy(VkCommandBuffer buffer, VkImage image, VkBuffer w
     if (command) {
         command->image = image;
         command->bytes = with->bytes;
+        command->size = with->bytes ? with->size : 0;
         command->region = *region;
     }
 }
@@ -115,11 +140,28 @@ struct image_copy {
     VkImageCopy region;
 };
 
+// Return the slices of a 3D image, or the layers from the first one of a part on.
+static uint32_t slices_from(VkImage image, const VkImageSubresourceLayers *part)
+{
+    const uint32_t slices = vulkan_image_slices(image, part->mipLevel);
+    return image->type == VK_IMAGE_TYPE_3D ? slices : slices - part->baseArrayLayer;
+}
+
 // Copy with blocks on one side at least.
 static void copy_blocks(struct vulkan_replay *replay, const struct image_copy *copy)
 {
     const VkImageCopy *const region = &copy->region;
     const struct vulkan_units units = vulkan_units_of(copy->from, &region->srcSubresource, region->extent);
+    // Each block of one side is a texel of the other one, if that is not compressed.
+    const VkExtent3D written = {units.width * (uint32_t)rhw_format_block_width(copy->to->format),
+                                units.height * (uint32_t)rhw_format_block_height(copy->to->format),
+                                copy->to->type == VK_IMAGE_TYPE_3D ? units.depth : 1};
+    if (!vulkan_region_is_within(copy->from, &region->srcSubresource, region->srcOffset, region->extent) ||
+        !vulkan_region_is_within(copy->to, &region->dstSubresource, region->dstOffset, written) ||
+        units.depth > slices_from(copy->to, &region->dstSubresource) ||
+        rhw_format_block_bytes(copy->to->format) != units.bytes) {
+        return;
+    }
     vulkan_rows_copy(vulkan_rows_of(copy->to, &region->dstSubresource, region->dstOffset),
                      vulkan_rows_of(copy->from, &region->srcSubresource, region->srcOffset), units);
     vulkan_rows_changed(replay, copy->to, &region->dstSubresource, region->dstOffset, units);

@@ -29,6 +29,28 @@ struct rhw_texture_region vulkan_region(VkImage image, const VkImageSubresourceL
     };
 }
 
+// Return whether [first, first + count) lies within [0, size), which is rounded up to whole blocks.
+static bool is_in(int32_t first, uint32_t count, uint32_t size, uint32_t block)
+{
+    const uint64_t whole = ((uint64_t)size + block - 1) / block * block;
+    return first >= 0 && (uint64_t)first + count <= whole;
+}
+
+bool vulkan_region_is_within(VkImage image, const VkImageSubresourceLayers *part, VkOffset3D offset,
+                             VkExtent3D extent)
+{
+    if (!image->bytes || part->mipLevel >= image->levels) {
+        return false;
+    }
+    const VkExtent3D level = vulkan_image_extent(image, part->mipLevel);
+    const uint32_t slices = vulkan_image_slices(image, part->mipLevel);
+    const bool is_3d = image->type == VK_IMAGE_TYPE_3D;
+    return is_in(offset.x, extent.width, level.width, (uint32_t)rhw_format_block_width(image->format)) &&
+           is_in(offset.y, extent.height, level.height, (uint32_t)rhw_format_block_height(image->format)) &&
+           (is_3d ? is_in(offset.z, extent.depth, slices, 1)
+                  : part->baseArrayLayer <= slices && part->layerCount <= slices - part->baseArrayLayer);
+}
+
 struct vulkan_units vulkan_units_of(VkImage image, const VkImageSubresourceLayers *part, VkExtent3D extent)
 {
     const uint32_t width = (uint32_t)rhw_format_block_width(image->format);

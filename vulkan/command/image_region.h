@@ -10,6 +10,10 @@
 struct rhw_texture_region vulkan_region(VkImage image, const VkImageSubresourceLayers *part,
                                         VkImageAspectFlags aspect, VkOffset3D offset, VkExtent3D extent);
 
+// Return whether a region of an image lies within it, where an extent counts up to a whole block.
+bool vulkan_region_is_within(VkImage image, const VkImageSubresourceLayers *part, VkOffset3D offset,
+                             VkExtent3D extent);
+
 // Rows of texels or blocks in memory.
 struct vulkan_rows {
     unsigned char *first;

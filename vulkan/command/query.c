@@ -19,6 +19,9 @@ struct vulkan_query_part {
 
 static void add(struct vulkan_replay *replay, VkQueryPool pool, uint32_t index, uint64_t value, bool ends)
 {
+    if (index >= pool->count) {
+        return; // there is no such query
+    }
     pthread_mutex_lock(&replay->queue->lock);
     pool->queries[index].value += value;
     pool->queries[index].is_available = pool->queries[index].is_available || ends;
@@ -88,8 +91,16 @@ struct query_command {
     uint32_t index, count;
 };
 
+// Return how many of `count` queries a pool has from `first` on.
+static uint32_t count_within(VkQueryPool pool, uint32_t first, uint32_t count)
+{
+    const uint32_t left = first < pool->count ? pool->count - first : 0;
+    return count < left ? count : left;
+}
+
 static void reset(VkQueue queue, VkQueryPool pool, uint32_t first, uint32_t count)
 {
+    count = count_within(pool, first, count);
     pthread_mutex_lock(&queue->lock);
     for (uint32_t i = 0; i < count; i++) {
         pool->queries[first + i] = (struct vulkan_query){0};
@@ -216,6 +227,7 @@ struct results {
     VkQueryPool pool;
     uint32_t first, count;
     unsigned char *data;
+    VkDeviceSize size; // bytes at `data`
     VkDeviceSize stride;
     VkQueryResultFlags flags;
 };
@@ -242,13 +254,15 @@ static unsigned char *write_number(unsigned char *at, uint64_t value, VkQueryRes
 static VkResult write_results(const struct results *results)
 {
     VkResult result = VK_SUCCESS;
-    for (uint32_t i = 0; i < results->count; i++) {
+    const VkDeviceSize number = results->flags & VK_QUERY_RESULT_64_BIT ? sizeof(uint64_t) : sizeof(uint32_t);
+    const VkDeviceSize each = results->flags & VK_QUERY_RESULT_WITH_AVAILABILITY_BIT ? 2 * number : number;
+    for (uint32_t i = 0; i < results->count && i * results->stride + each <= results->size; i++) {
         const struct vulkan_query *const query = &results->pool->queries[results->first + i];
         unsigned char *at = results->data + i * results->stride;
         if (query->is_available || results->flags & VK_QUERY_RESULT_PARTIAL_BIT) {
             at = write_number(at, query->value, results->flags);
         } else {
-            at += results->flags & VK_QUERY_RESULT_64_BIT ? sizeof(uint64_t) : sizeof(uint32_t);
+            at += number;
         }
         if (results->flags & VK_QUERY_RESULT_WITH_AVAILABILITY_BIT) {
             write_number(at, query->is_available, results->flags);
@@ -262,8 +276,7 @@ VKAPI_ATTR VkResult VKAPI_CALL vkGetQueryPoolResults(VkDevice device, VkQueryPoo
                                                      uint32_t count, size_t size, void *data,
                                                      VkDeviceSize stride, VkQueryResultFlags flags)
 {
-    (void)size;
-    struct results results = {pool, first, count, data, stride, flags};
+    struct results results = {pool, first, count_within(pool, first, count), data, size, stride, flags};
     if (flags & VK_QUERY_RESULT_WAIT_BIT) {
         const VkResult result = vulkan_queue_wait(&device->queue, are_available, &results, UINT64_MAX);
         if (result != VK_SUCCESS) {
@@ -295,6 +308,12 @@ VKAPI_ATTR void VKAPI_CALL vkCmdCopyQueryPoolResults(VkCommandBuffer buffer, VkQ
 {
     struct copy_command *const command = vulkan_record(buffer, sizeof *command, replay_copy);
     if (command) {
-        command->results = (struct results){pool, first, count, to->bytes + offset, stride, flags};
+        command->results = (struct results){.pool = pool,
+                                            .first = first,
+                                            .count = count_within(pool, first, count),
+                                            .data = to->bytes + offset,
+                                            .size = vulkan_buffer_range(to, offset, VK_WHOLE_SIZE),
+                                            .stride = stride,
+                                            .flags = flags};
     }
 }

@@ -80,11 +80,12 @@ static struct references references2_of(const VkAttachmentReference2 *first)
     return (struct references){first ? &first->attachment : NULL, sizeof *first};
 }
 
-static uint32_t number_at(struct references references, uint32_t i)
+// Return the number of reference i. One that the pass does not have counts as unused.
+static uint32_t number_at(VkRenderPass pass, struct references references, uint32_t i)
 {
-    return references.first
-               ? *(const uint32_t *)(const void *)((const char *)references.first + i * references.stride)
-               : VK_ATTACHMENT_UNUSED;
+    const char *const place = (const char *)references.first + i * references.stride;
+    const uint32_t number = references.first ? *(const uint32_t *)(const void *)place : VK_ATTACHMENT_UNUSED;
+    return number < pass->attachment_count ? number : VK_ATTACHMENT_UNUSED;
 }
 
 // What the descriptions of a subpass of both versions have.
@@ -95,20 +96,21 @@ struct subpass_parts {
 };
 
 // Set a subpass whose inputs have room at *inputs, which goes on behind them.
-static void set_subpass(struct vulkan_subpass *to, const struct subpass_parts *from, uint32_t **inputs)
+static void set_subpass(VkRenderPass pass, struct vulkan_subpass *to, const struct subpass_parts *from,
+                        uint32_t **inputs)
 {
     to->color_count =
         from->color_count < RHW_MAX_COLOR_ATTACHMENTS ? from->color_count : RHW_MAX_COLOR_ATTACHMENTS;
     for (uint32_t i = 0; i < to->color_count; i++) {
-        to->colors[i] = number_at(from->colors, i);
-        to->resolves[i] = number_at(from->resolves, i);
+        to->colors[i] = number_at(pass, from->colors, i);
+        to->resolves[i] = number_at(pass, from->resolves, i);
     }
     to->input_count = from->input_count;
     to->inputs = *inputs;
     for (uint32_t i = 0; i < to->input_count; i++) {
-        *(*inputs)++ = number_at(from->inputs, i);
+        *(*inputs)++ = number_at(pass, from->inputs, i);
     }
-    to->depth = number_at(from->depth, 0);
+    to->depth = number_at(pass, from->depth, 0);
     to->depth_layout = to->stencil_layout = from->depth_layout;
     to->depth_resolve = VK_ATTACHMENT_UNUSED;
 }
@@ -148,7 +150,7 @@ VKAPI_ATTR VkResult VKAPI_CALL vkCreateRenderPass(VkDevice device, const VkRende
     for (uint32_t i = 0; i < info->subpassCount; i++) {
         const VkSubpassDescription *const from = &info->pSubpasses[i];
         const VkAttachmentReference *const depth = from->pDepthStencilAttachment;
-        set_subpass(&made->subpasses[i],
+        set_subpass(made, &made->subpasses[i],
                     &(struct subpass_parts){
                         .color_count = from->colorAttachmentCount,
                         .input_count = from->inputAttachmentCount,
@@ -193,10 +195,11 @@ static void set_attachment2(struct vulkan_attachment *to, const VkAttachmentDesc
     set_attachment(to, &older);
 }
 
-static void set_subpass2(struct vulkan_subpass *to, const VkSubpassDescription2 *from, uint32_t **inputs)
+static void set_subpass2(VkRenderPass pass, struct vulkan_subpass *to, const VkSubpassDescription2 *from,
+                         uint32_t **inputs)
 {
     const VkAttachmentReference2 *const depth = from->pDepthStencilAttachment;
-    set_subpass(to,
+    set_subpass(pass, to,
                 &(struct subpass_parts){
                     .color_count = from->colorAttachmentCount,
                     .input_count = from->inputAttachmentCount,
@@ -211,7 +214,7 @@ static void set_subpass2(struct vulkan_subpass *to, const VkSubpassDescription2 
     const VkSubpassDescriptionDepthStencilResolve *const resolve =
         vulkan_chain_find(from->pNext, VK_STRUCTURE_TYPE_SUBPASS_DESCRIPTION_DEPTH_STENCIL_RESOLVE);
     if (resolve) {
-        to->depth_resolve = number_at(references2_of(resolve->pDepthStencilResolveAttachment), 0);
+        to->depth_resolve = number_at(pass, references2_of(resolve->pDepthStencilResolveAttachment), 0);
         to->depth_resolve_mode = resolve->depthResolveMode;
         to->stencil_resolve_mode = resolve->stencilResolveMode;
     }
@@ -235,7 +238,7 @@ VKAPI_ATTR VkResult VKAPI_CALL vkCreateRenderPass2(VkDevice device, const VkRend
     }
     uint32_t *inputs = first_input(made);
     for (uint32_t i = 0; i < info->subpassCount; i++) {
-        set_subpass2(&made->subpasses[i], &info->pSubpasses[i], &inputs);
+        set_subpass2(made, &made->subpasses[i], &info->pSubpasses[i], &inputs);
         note_uses(made, &made->subpasses[i]);
     }
     return VK_SUCCESS;

@@ -29,7 +29,7 @@ VKAPI_ATTR void VKAPI_CALL vkDestroyBuffer(VkDevice device, VkBuffer buffer,
 
 VkDeviceSize vulkan_buffer_range(VkBuffer buffer, VkDeviceSize offset, VkDeviceSize range)
 {
-    const VkDeviceSize left = offset < buffer->size ? buffer->size - offset : 0;
+    const VkDeviceSize left = buffer->bytes && offset < buffer->size ? buffer->size - offset : 0;
     return range < left ? range : left; // VK_WHOLE_SIZE is the largest number
 }
 
@@ -69,6 +69,9 @@ VKAPI_ATTR VkResult VKAPI_CALL vkBindBufferMemory(VkDevice device, VkBuffer buff
                                                   VkDeviceSize offset)
 {
     (void)device;
+    if (offset > memory->size || buffer->size > memory->size - offset) {
+        return VK_ERROR_OUT_OF_DEVICE_MEMORY;
+    }
     buffer->bytes = memory->bytes + offset;
     vulkan_memory_note_buffer(memory, offset, buffer->size);
     return VK_SUCCESS;
@@ -77,10 +80,11 @@ VKAPI_ATTR VkResult VKAPI_CALL vkBindBufferMemory(VkDevice device, VkBuffer buff
 VKAPI_ATTR VkResult VKAPI_CALL vkBindBufferMemory2(VkDevice device, uint32_t count,
                                                    const VkBindBufferMemoryInfo *infos)
 {
-    for (uint32_t i = 0; i < count; i++) {
-        vkBindBufferMemory(device, infos[i].buffer, infos[i].memory, infos[i].memoryOffset);
+    VkResult result = VK_SUCCESS;
+    for (uint32_t i = 0; i < count && result == VK_SUCCESS; i++) {
+        result = vkBindBufferMemory(device, infos[i].buffer, infos[i].memory, infos[i].memoryOffset);
     }
-    return VK_SUCCESS;
+    return result;
 }
 
 VKAPI_ATTR VkResult VKAPI_CALL vkCreateBufferView(VkDevice device, const VkBufferViewCreateInfo *info,

@@ -16,7 +16,7 @@ struct VkBufferView_T {
 };
 
 // Return the bytes from `offset` on that a range has, where VK_WHOLE_SIZE goes up to the end, and no more than the
-// buffer has.
+// buffer has. A buffer without memory has none.
 VkDeviceSize vulkan_buffer_range(VkBuffer buffer, VkDeviceSize offset, VkDeviceSize range);
 
 #endif

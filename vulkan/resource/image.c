@@ -188,6 +188,9 @@ VKAPI_ATTR VkResult VKAPI_CALL vkBindImageMemory(VkDevice device, VkImage image,
                                                  VkDeviceSize offset)
 {
     (void)device;
+    if (offset > memory->size || image->size > memory->size - offset) {
+        return VK_ERROR_OUT_OF_DEVICE_MEMORY;
+    }
     image->bytes = memory->bytes + offset;
     image->memory = memory;
     vulkan_memory_note_image(memory, offset, image->size);
@@ -197,10 +200,11 @@ VKAPI_ATTR VkResult VKAPI_CALL vkBindImageMemory(VkDevice device, VkImage image,
 VKAPI_ATTR VkResult VKAPI_CALL vkBindImageMemory2(VkDevice device, uint32_t count,
                                                   const VkBindImageMemoryInfo *infos)
 {
-    for (uint32_t i = 0; i < count; i++) {
-        vkBindImageMemory(device, infos[i].image, infos[i].memory, infos[i].memoryOffset);
+    VkResult result = VK_SUCCESS;
+    for (uint32_t i = 0; i < count && result == VK_SUCCESS; i++) {
+        result = vkBindImageMemory(device, infos[i].image, infos[i].memory, infos[i].memoryOffset);
     }
-    return VK_SUCCESS;
+    return result;
 }
 
 VKAPI_ATTR void VKAPI_CALL vkGetImageSubresourceLayout(VkDevice device, VkImage image,
