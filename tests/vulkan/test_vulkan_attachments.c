@@ -423,6 +423,33 @@ static void a_device_of_a_group_has_a_render_area(void **state)
     rig_close(&rig);
 }
 
+static void a_subpass_too_many_is_the_last_one(void **state)
+{
+    (void)state;
+    static const uint32_t zeros[TEXELS] = {0};
+    struct rig rig;
+    if (getenv("RHW_TEST_VALIDATION")) {
+        skip(); // the layer tells the misuse
+    }
+    rig_open(&rig);
+    const struct rig_image image = make_image(&rig, VK_FORMAT_R8G8B8A8_UNORM, VK_SAMPLE_COUNT_1_BIT);
+    const VkRenderPass pass = make_clear_pass(&rig);
+    const VkClearValue white = {.color = {.float32 = {1, 1, 1, 1}}};
+    const VkClearAttachment black = {.aspectMask = VK_IMAGE_ASPECT_COLOR_BIT};
+    const VkClearRect all = {{{0, 0}, {SIDE, SIDE}}, 0, 1};
+    rig_write(&rig, &image, zeros, 4, VK_IMAGE_LAYOUT_GENERAL);
+    begin_pass(&rig, NULL, pass, make_framebuffer(&rig, pass, &image.view, 1), &white, 1);
+    for (int i = 0; i < 9; i++) {
+        vkCmdNextSubpass(rig.commands, VK_SUBPASS_CONTENTS_INLINE);
+    }
+    vkCmdClearAttachments(rig.commands, 1, &black, 1, &all);
+    vkCmdEndRenderPass(rig.commands);
+    const struct rig_buffer read = rig_read(&rig, &image, 4);
+    rig_run(&rig);
+    assert_int_equal(((const uint32_t *)read.bytes)[0], 0);
+    rig_close(&rig);
+}
+
 static void a_framebuffer_may_be_imageless(void **state)
 {
     (void)state;
@@ -528,6 +555,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(a_pass_has_any_number_of_attachments_and_inputs),
     cmocka_unit_test(a_second_source_leaves_other_attachments),
     cmocka_unit_test(a_device_of_a_group_has_a_render_area),
+    cmocka_unit_test(a_subpass_too_many_is_the_last_one),
     cmocka_unit_test(a_framebuffer_may_be_imageless),
     cmocka_unit_test(a_subpass_without_attachments_has_the_samples_of_its_pipelines),
 };

@@ -136,7 +136,9 @@ static void replay_begin_subpass(struct vulkan_replay *replay, const struct vulk
 {
     const struct vulkan_begin_subpass *const begin = (const struct vulkan_begin_subpass *)command;
     struct vulkan_pass_state *const pass = &replay->pass;
-    pass->subpass_index++;
+    // More subpasses than there are, which Vulkan forbids, are the last one again.
+    const bool has_next = pass->subpass_index + 1 < pass->render_pass->subpass_count;
+    pass->subpass_index += has_next ? 1 : 0;
     pass->subpass = &pass->render_pass->subpasses[pass->subpass_index];
     pass->splits = begin->has_barrier;
     pass->has_drawn = false;
