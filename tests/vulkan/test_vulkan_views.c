@@ -17,6 +17,8 @@ struct viewing {
     struct picture_state state;
     VkDescriptorSet set;
     VkPipeline pipeline;
+    float at; // where the view is sampled, along both axes; not within 0..1 it is the border
+    VkBorderColor border;
 };
 
 static void begin_viewing(struct viewing *v, const uint32_t *fragment, size_t size)
@@ -30,6 +32,8 @@ static void begin_viewing(struct viewing *v, const uint32_t *fragment, size_t si
     picture_state(&v->state, &v->picture, rig_shader(&v->rig, quad_vert, sizeof quad_vert),
                   rig_shader(&v->rig, fragment, size), rig_layout(&v->rig, &layout, 1, 36));
     v->pipeline = picture_pipeline(&v->picture, &v->state, v->picture.pass, 0);
+    v->at = 0.5f;
+    v->border = VK_BORDER_COLOR_FLOAT_OPAQUE_WHITE;
 }
 
 // Return an image whose views may have other formats.
@@ -71,6 +75,9 @@ static void bind_view(struct viewing *v, VkImage image, VkFormat format, float a
     const VkSamplerCreateInfo sampler_info = {.sType = VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO,
                                               .magFilter = VK_FILTER_NEAREST,
                                               .minFilter = VK_FILTER_NEAREST,
+                                              .addressModeU = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_BORDER,
+                                              .addressModeV = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_BORDER,
+                                              .borderColor = v->border,
                                               .anisotropyEnable = anisotropy > 1,
                                               .maxAnisotropy = anisotropy};
     VkImageView view;
@@ -92,7 +99,7 @@ static uint32_t draw_view(struct viewing *v, VkImage image, const void *bytes, s
     const VkBufferImageCopy copy = {
         .imageSubresource = {.aspectMask = VK_IMAGE_ASPECT_COLOR_BIT, .layerCount = 1},
         .imageExtent = {SIDE, SIDE, 1}};
-    const float push[9] = {-1, -1, 1, 1, 0.5f, 0.5f};
+    const float push[9] = {-1, -1, 1, 1, v->at, v->at};
     rig_barrier(rig, &whole, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL);
     vkCmdCopyBufferToImage(rig->commands, buffer.buffer, image, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1,
                            &copy);
@@ -121,6 +128,34 @@ static void blocks_are_read_with_either_sign(void **state)
         bind_view(&v, image, formats[i][1], 1);
         assert_int_equal(draw_view(&v, image, blocks[0], sizeof blocks[0]), reds[i][0] << 24 | 0xff);
         assert_int_equal(draw_view(&v, image, blocks[1], sizeof blocks[1]), reds[i][1] << 24 | 0xff);
+        rig_close(&v.rig);
+    }
+}
+
+// A border has no more channels than the format of the view.
+static void borders_lack_what_blocks_lack(void **state)
+{
+    (void)state;
+    static const struct {
+        VkFormat format;
+        VkBorderColor border;
+        uint32_t color;
+    } cases[] = {
+        {VK_FORMAT_BC4_UNORM_BLOCK, VK_BORDER_COLOR_FLOAT_OPAQUE_WHITE, 0xff0000ff},
+        {VK_FORMAT_BC5_UNORM_BLOCK, VK_BORDER_COLOR_FLOAT_OPAQUE_WHITE, 0xffff00ff},
+        {VK_FORMAT_EAC_R11G11_UNORM_BLOCK, VK_BORDER_COLOR_FLOAT_OPAQUE_WHITE, 0xffff00ff},
+        {VK_FORMAT_ETC2_R8G8B8_UNORM_BLOCK, VK_BORDER_COLOR_FLOAT_TRANSPARENT_BLACK, 0x000000ff},
+        {VK_FORMAT_ETC2_R8G8B8A8_UNORM_BLOCK, VK_BORDER_COLOR_FLOAT_TRANSPARENT_BLACK, 0x00000000},
+    };
+    static const uint8_t block[16] = {0};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        struct viewing v;
+        begin_viewing(&v, viewed_frag, sizeof viewed_frag);
+        v.at = 1.5f;
+        v.border = cases[i].border;
+        VkImage image = make_image(&v.rig, cases[i].format);
+        bind_view(&v, image, cases[i].format, 1);
+        assert_int_equal(draw_view(&v, image, block, sizeof block), cases[i].color);
         rig_close(&v.rig);
     }
 }
@@ -155,6 +190,7 @@ static void nearest_integers_have_no_anisotropy(void **state)
 
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(blocks_are_read_with_either_sign),
+    cmocka_unit_test(borders_lack_what_blocks_lack),
     cmocka_unit_test(a_view_that_cannot_be_is_empty),
     cmocka_unit_test(nearest_integers_have_no_anisotropy),
 };

@@ -78,8 +78,32 @@ static int array_layers(VkImageView view)
     }
 }
 
-static enum rhw_swizzle swizzle_of(VkComponentSwizzle swizzle)
+// Return how many channels a format has, where its blocks are decoded to texels of more channels, and else 4.
+static int channels_of(VkFormat format)
 {
+    switch (format) {
+    case VK_FORMAT_BC5_UNORM_BLOCK:
+    case VK_FORMAT_BC5_SNORM_BLOCK:
+    case VK_FORMAT_EAC_R11G11_UNORM_BLOCK:
+    case VK_FORMAT_EAC_R11G11_SNORM_BLOCK: return 2;
+    case VK_FORMAT_BC1_RGB_UNORM_BLOCK:
+    case VK_FORMAT_BC1_RGB_SRGB_BLOCK:
+    case VK_FORMAT_BC6H_UFLOAT_BLOCK:
+    case VK_FORMAT_BC6H_SFLOAT_BLOCK:
+    case VK_FORMAT_ETC2_R8G8B8_UNORM_BLOCK:
+    case VK_FORMAT_ETC2_R8G8B8_SRGB_BLOCK: return 3;
+    default: return 4;
+    }
+}
+
+// Return what a component of a view reads. A channel that the format lacks is 0, or 1 for alpha, in the colour of a
+// border too (Vulkan 1.3, "Conversion to RGBA").
+static enum rhw_swizzle swizzle_of(VkImageView view, VkComponentSwizzle swizzle, VkComponentSwizzle own)
+{
+    const VkComponentSwizzle read = swizzle == VK_COMPONENT_SWIZZLE_IDENTITY ? own : swizzle;
+    if ((int)read - VK_COMPONENT_SWIZZLE_R >= channels_of(view->vulkan_format)) {
+        return read == VK_COMPONENT_SWIZZLE_A ? RHW_SWIZZLE_ONE : RHW_SWIZZLE_ZERO;
+    }
     static const enum rhw_swizzle swizzles[] = {
         [VK_COMPONENT_SWIZZLE_IDENTITY] = RHW_SWIZZLE_IDENTITY,
         [VK_COMPONENT_SWIZZLE_ZERO] = RHW_SWIZZLE_ZERO,
@@ -105,8 +129,10 @@ static enum rhw_result make_view(VkQueue queue, VkImageView view)
         .levels = (int)view->range.levelCount,
         .layer = (int)view->range.baseArrayLayer,
         .layers = array_layers(view),
-        .swizzle = {swizzle_of(view->components.r), swizzle_of(view->components.g),
-                    swizzle_of(view->components.b), swizzle_of(view->components.a)},
+        .swizzle = {swizzle_of(view, view->components.r, VK_COMPONENT_SWIZZLE_R),
+                    swizzle_of(view, view->components.g, VK_COMPONENT_SWIZZLE_G),
+                    swizzle_of(view, view->components.b, VK_COMPONENT_SWIZZLE_B),
+                    swizzle_of(view, view->components.a, VK_COMPONENT_SWIZZLE_A)},
     };
     const enum rhw_result result = vulkan_image_texture_as(queue, view->image, view->format, &def.texture);
     return result == RHW_OK ? rhw_texture_view_create(queue->context, &def, &view->view) : result;
