@@ -14,8 +14,7 @@
 enum {
     NANOSECONDS = 1000000000,
     // Dawn in node asks every 10 to 30 microseconds until a buffer is there. A program that asks once a frame pauses
-    // for longer, and one that looks a few times and then waits asks less often in a row: neither is held up. A quarter
-    // of a millisecond instead of a whole one leaves Dawn's loop an eighth of a core.
+    // for longer, and one that looks a few times and then waits asks less often in a row: neither is held up.
     ASK_PAUSE = 100000,
     ASK_REFUSALS = 8,
     ASK_WAIT = 1000000
