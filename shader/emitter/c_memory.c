@@ -314,18 +314,9 @@ static void write_length(struct shader_emitter *emitter, uint32_t value)
 }
 
 static const char *const atomic_names[] = {
-    [SHADER_ATOMIC_LOAD] = "LOAD",
-    [SHADER_ATOMIC_STORE] = "STORE",
-    [SHADER_ATOMIC_EXCHANGE] = "EXCHANGE",
-    [SHADER_ATOMIC_COMPARE_EXCHANGE] = "COMPARE_EXCHANGE",
-    [SHADER_ATOMIC_ADD] = "ADD",
-    [SHADER_ATOMIC_MIN_INT] = "MIN",
-    [SHADER_ATOMIC_MAX_INT] = "MAX",
-    [SHADER_ATOMIC_MIN_UINT] = "MIN_UNSIGNED",
-    [SHADER_ATOMIC_MAX_UINT] = "MAX_UNSIGNED",
-    [SHADER_ATOMIC_AND] = "AND",
-    [SHADER_ATOMIC_OR] = "OR",
-    [SHADER_ATOMIC_XOR] = "XOR",
+#define ATOMIC(name, printed, operation) #operation,
+#include "form/atomic.inc"
+#undef ATOMIC
 };
 
 // Of a word of a buffer, or of a texel.

@@ -16,87 +16,50 @@ struct notation {
     bool gives_float, takes_float[2];
 };
 
-#define FLOATS     \
-    {              \
-        true, true \
-    }
-#define FIRST_FLOAT \
-    {               \
-        true, false \
-    }
-#define WHOLES       \
-    {                \
-        false, false \
-    }
+enum { IS_FLOAT_f = true, IS_FLOAT_i = false };
 
+#define ONE(name, result, operand, function) \
+    [SHADER_##name] = {#function, IS_FLOAT_##result, {IS_FLOAT_##operand, IS_FLOAT_##operand}},
+#define TWO(name, result, first, second, function) \
+    [SHADER_##name] = {#function, IS_FLOAT_##result, {IS_FLOAT_##first, IS_FLOAT_##second}},
+#define FLOATS(name, text, is_float) [SHADER_##name] = {text, is_float, {true, true}}
+#define WHOLES(name, text, is_float) [SHADER_##name] = {text, is_float, {false, false}}
 static const struct notation notations[SHADER_OP_COUNT] = {
-    [SHADER_FADD] = {"+", true, FLOATS},
-    [SHADER_FSUB] = {"-", true, FLOATS},
-    [SHADER_FMUL] = {"*", true, FLOATS},
-    [SHADER_FDIV] = {"/", true, FLOATS},
-    [SHADER_FMIN] = {"rhw_min", true, FLOATS},
-    [SHADER_FMAX] = {"rhw_max", true, FLOATS},
-    [SHADER_FSQRT] = {"rhw_sqrt", true, FLOATS},
-    [SHADER_FLOOR] = {"rhw_floor", true, FLOATS},
-    [SHADER_CEIL] = {"rhw_ceil", true, FLOATS},
-    [SHADER_TRUNC] = {"rhw_trunc", true, FLOATS},
-    [SHADER_ROUND_EVEN] = {"rhw_round", true, FLOATS},
-    [SHADER_FEQUAL] = {"rhw_equal", false, FLOATS},
-    [SHADER_FLESS] = {"rhw_less", false, FLOATS},
-    [SHADER_FLESS_EQUAL] = {"rhw_less_equal", false, FLOATS},
-    [SHADER_IADD] = {"rhw_spirv_add", false, WHOLES},
-    [SHADER_ISUB] = {"rhw_spirv_sub", false, WHOLES},
-    [SHADER_IMUL] = {"rhw_spirv_mul", false, WHOLES},
-    [SHADER_IMUL_HIGH] = {"rhw_spirv_mul_high", false, WHOLES},
-    [SHADER_UMUL_HIGH] = {"rhw_spirv_mul_high_uint", false, WHOLES},
-    [SHADER_IDIV] = {"rhw_divide_int", false, WHOLES},
-    [SHADER_UDIV] = {"rhw_divide_uint", false, WHOLES},
-    [SHADER_IREM] = {"rhw_remainder_int", false, WHOLES},
-    [SHADER_UREM] = {"rhw_remainder_uint", false, WHOLES},
-    [SHADER_AND] = {"&", false, WHOLES},
-    [SHADER_OR] = {"|", false, WHOLES},
-    [SHADER_XOR] = {"^", false, WHOLES},
-    [SHADER_NOT] = {"~", false, WHOLES},
-    [SHADER_SHIFT_LEFT] = {"rhw_spirv_shift_left", false, WHOLES},
-    [SHADER_SHIFT_RIGHT] = {"rhw_spirv_shift_right", false, WHOLES},
-    [SHADER_SHIFT_RIGHT_SIGNED] = {"rhw_spirv_shift_right_signed", false, WHOLES},
-    [SHADER_IEQUAL] = {"rhw_equal_int", false, WHOLES},
-    [SHADER_ILESS] = {"rhw_less_int", false, WHOLES},
-    [SHADER_ULESS] = {"rhw_spirv_less_uint", false, WHOLES},
-    [SHADER_BIT_REVERSE] = {"rhw_bit_reverse", false, WHOLES},
-    [SHADER_BIT_COUNT] = {"rhw_bit_count", false, WHOLES},
-    [SHADER_FIND_LOWEST] = {"rhw_find_lsb", false, WHOLES},
-    [SHADER_FIND_HIGHEST] = {"rhw_find_msb_uint", false, WHOLES},
-    [SHADER_FLOAT_FROM_INT] = {"rhw_float_from_int", true, WHOLES},
-    [SHADER_FLOAT_FROM_UINT] = {"rhw_spirv_float_from_uint", true, WHOLES},
-    [SHADER_INT_FROM_FLOAT] = {"rhw_int_from_float", false, FLOATS},
-    [SHADER_UINT_FROM_FLOAT] = {"rhw_spirv_uint_from_float", false, FLOATS},
-    [SHADER_PACK_HALVES] = {"rhw_spirv_pack_halves", false, FLOATS},
-    [SHADER_UNPACK_LOW_HALF] = {"rhw_spirv_low_half", true, WHOLES},
-    [SHADER_UNPACK_HIGH_HALF] = {"rhw_spirv_high_half", true, WHOLES},
-    [SHADER_SIN] = {"rhw_sin", true, FLOATS},
-    [SHADER_COS] = {"rhw_cos", true, FLOATS},
-    [SHADER_TAN] = {"rhw_tan", true, FLOATS},
-    [SHADER_ASIN] = {"rhw_asin", true, FLOATS},
-    [SHADER_ACOS] = {"rhw_acos", true, FLOATS},
-    [SHADER_ATAN] = {"rhw_atan", true, FLOATS},
-    [SHADER_ATAN2] = {"rhw_atan2", true, FLOATS},
-    [SHADER_SINH] = {"rhw_sinh", true, FLOATS},
-    [SHADER_COSH] = {"rhw_cosh", true, FLOATS},
-    [SHADER_TANH] = {"rhw_tanh", true, FLOATS},
-    [SHADER_ASINH] = {"rhw_asinh", true, FLOATS},
-    [SHADER_ACOSH] = {"rhw_acosh", true, FLOATS},
-    [SHADER_ATANH] = {"rhw_atanh", true, FLOATS},
-    [SHADER_EXP] = {"rhw_exp", true, FLOATS},
-    [SHADER_LOG] = {"rhw_log", true, FLOATS},
-    [SHADER_EXP2] = {"rhw_exp2", true, FLOATS},
-    [SHADER_LOG2] = {"rhw_log2", true, FLOATS},
-    [SHADER_POW] = {"rhw_pow", true, FLOATS},
-    [SHADER_RSQRT] = {"rhw_rsqrt", true, FLOATS},
-    [SHADER_LDEXP] = {"rhw_ldexp", true, FIRST_FLOAT},
-    [SHADER_FREXP_FRACTION] = {"rhw_spirv_fraction", true, FLOATS},
-    [SHADER_FREXP_EXPONENT] = {"rhw_spirv_exponent", false, FLOATS},
+#include "form/function.inc"
+    FLOATS(FADD, "+", true),
+    FLOATS(FSUB, "-", true),
+    FLOATS(FMUL, "*", true),
+    FLOATS(FDIV, "/", true),
+    FLOATS(FMIN, "rhw_min", true),
+    FLOATS(FMAX, "rhw_max", true),
+    FLOATS(FSQRT, "rhw_sqrt", true),
+    FLOATS(FLOOR, "rhw_floor", true),
+    FLOATS(CEIL, "rhw_ceil", true),
+    FLOATS(TRUNC, "rhw_trunc", true),
+    FLOATS(ROUND_EVEN, "rhw_round", true),
+    FLOATS(FEQUAL, "rhw_equal", false),
+    FLOATS(FLESS, "rhw_less", false),
+    FLOATS(FLESS_EQUAL, "rhw_less_equal", false),
+    WHOLES(IADD, "rhw_spirv_add", false),
+    WHOLES(ISUB, "rhw_spirv_sub", false),
+    WHOLES(IMUL, "rhw_spirv_mul", false),
+    WHOLES(AND, "&", false),
+    WHOLES(OR, "|", false),
+    WHOLES(XOR, "^", false),
+    WHOLES(NOT, "~", false),
+    WHOLES(SHIFT_LEFT, "rhw_spirv_shift_left", false),
+    WHOLES(SHIFT_RIGHT, "rhw_spirv_shift_right", false),
+    WHOLES(SHIFT_RIGHT_SIGNED, "rhw_spirv_shift_right_signed", false),
+    WHOLES(IEQUAL, "rhw_equal_int", false),
+    WHOLES(ILESS, "rhw_less_int", false),
+    WHOLES(ULESS, "rhw_spirv_less_uint", false),
+    WHOLES(FLOAT_FROM_INT, "rhw_float_from_int", true),
+    FLOATS(INT_FROM_FLOAT, "rhw_int_from_float", false),
 };
+#undef ONE
+#undef TWO
+#undef FLOATS
+#undef WHOLES
 
 // Numbers --------------------------------------------------------------------------------------------
 

@@ -161,18 +161,9 @@ enum shader_image_atomic_operand {
 };
 
 enum shader_atomic {
-    SHADER_ATOMIC_LOAD,
-    SHADER_ATOMIC_STORE,
-    SHADER_ATOMIC_EXCHANGE,
-    SHADER_ATOMIC_COMPARE_EXCHANGE,
-    SHADER_ATOMIC_ADD,
-    SHADER_ATOMIC_MIN_INT,
-    SHADER_ATOMIC_MAX_INT,
-    SHADER_ATOMIC_MIN_UINT,
-    SHADER_ATOMIC_MAX_UINT,
-    SHADER_ATOMIC_AND,
-    SHADER_ATOMIC_OR,
-    SHADER_ATOMIC_XOR
+#define ATOMIC(name, printed, operation) SHADER_ATOMIC_##name,
+#include "atomic.inc"
+#undef ATOMIC
 };
 
 // What a SHADER_SAMPLE does, in the lowest 4 bits of its immediate.

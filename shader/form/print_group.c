@@ -3,18 +3,9 @@
 #include "print.h"
 
 static const char *const atomic_names[] = {
-    [SHADER_ATOMIC_LOAD] = "load",
-    [SHADER_ATOMIC_STORE] = "store",
-    [SHADER_ATOMIC_EXCHANGE] = "exchange",
-    [SHADER_ATOMIC_COMPARE_EXCHANGE] = "compare_exchange",
-    [SHADER_ATOMIC_ADD] = "add",
-    [SHADER_ATOMIC_MIN_INT] = "min_int",
-    [SHADER_ATOMIC_MAX_INT] = "max_int",
-    [SHADER_ATOMIC_MIN_UINT] = "min_uint",
-    [SHADER_ATOMIC_MAX_UINT] = "max_uint",
-    [SHADER_ATOMIC_AND] = "and",
-    [SHADER_ATOMIC_OR] = "or",
-    [SHADER_ATOMIC_XOR] = "xor",
+#define ATOMIC(name, printed, operation) printed,
+#include "atomic.inc"
+#undef ATOMIC
 };
 
 static const char *const scan_names[] = {

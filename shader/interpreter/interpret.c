@@ -8,8 +8,11 @@
 #include "kernel_own.h"
 #include "kernel_subgroup.h"
 
-#define ENTRY(name) [SHADER_##name] = run_##name
+#define ENTRY(name)                                [SHADER_##name] = run_##name
+#define ONE(name, result, operand, function)       ENTRY(name),
+#define TWO(name, result, first, second, function) ENTRY(name),
 static shader_kernel *const kernels[SHADER_COUNT_OPS] = {
+#include "form/function.inc"
     ENTRY(COPY),
     ENTRY(SET),
     ENTRY(FADD),
@@ -29,12 +32,6 @@ static shader_kernel *const kernels[SHADER_COUNT_OPS] = {
     ENTRY(IADD),
     ENTRY(ISUB),
     ENTRY(IMUL),
-    ENTRY(IMUL_HIGH),
-    ENTRY(UMUL_HIGH),
-    ENTRY(IDIV),
-    ENTRY(UDIV),
-    ENTRY(IREM),
-    ENTRY(UREM),
     ENTRY(AND),
     ENTRY(OR),
     ENTRY(XOR),
@@ -45,43 +42,12 @@ static shader_kernel *const kernels[SHADER_COUNT_OPS] = {
     ENTRY(IEQUAL),
     ENTRY(ILESS),
     ENTRY(ULESS),
-    ENTRY(BIT_REVERSE),
-    ENTRY(BIT_COUNT),
-    ENTRY(FIND_LOWEST),
-    ENTRY(FIND_HIGHEST),
     ENTRY(SELECT),
     ENTRY(MUL_ADD),
     ENTRY(MUL_SUB),
     ENTRY(SUB_MUL),
     ENTRY(FLOAT_FROM_INT),
-    ENTRY(FLOAT_FROM_UINT),
     ENTRY(INT_FROM_FLOAT),
-    ENTRY(UINT_FROM_FLOAT),
-    ENTRY(PACK_HALVES),
-    ENTRY(UNPACK_LOW_HALF),
-    ENTRY(UNPACK_HIGH_HALF),
-    ENTRY(SIN),
-    ENTRY(COS),
-    ENTRY(TAN),
-    ENTRY(ASIN),
-    ENTRY(ACOS),
-    ENTRY(ATAN),
-    ENTRY(ATAN2),
-    ENTRY(SINH),
-    ENTRY(COSH),
-    ENTRY(TANH),
-    ENTRY(ASINH),
-    ENTRY(ACOSH),
-    ENTRY(ATANH),
-    ENTRY(EXP),
-    ENTRY(LOG),
-    ENTRY(EXP2),
-    ENTRY(LOG2),
-    ENTRY(POW),
-    ENTRY(RSQRT),
-    ENTRY(LDEXP),
-    ENTRY(FREXP_FRACTION),
-    ENTRY(FREXP_EXPONENT),
     ENTRY(INPUT),
     ENTRY(BUILT_IN),
     ENTRY(OUTPUT),
@@ -126,6 +92,8 @@ static shader_kernel *const kernels[SHADER_COUNT_OPS] = {
     ENTRY(SCAN),
 };
 #undef ENTRY
+#undef ONE
+#undef TWO
 
 // Execute the shader for the groups of a frame whose lanes are active by now.
 static void execute(struct frame *frame)

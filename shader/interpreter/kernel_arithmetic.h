@@ -8,6 +8,7 @@
 #include "rhw/shader_integer.h"
 #include "rhw/shader_math.h"
 #include "rhw/shader_pack.h"
+#include "rhw/shader_spirv.h"
 
 // Pointers to the vectors of the result and of the operands. No operand lies in the register of the result.
 #define VECTORS                                                             \
@@ -111,60 +112,6 @@
 #define AU (rhw_uint) a[i * a_step].i
 #define BU (rhw_uint) b[i * b_step].i
 
-static inline rhw_int shader_less_uint(rhw_int a, rhw_int b)
-{
-    const rhw_int sign = rhw_splat_int(INT32_MIN);
-    return rhw_less_int(a ^ sign, b ^ sign);
-}
-
-static inline rhw_float shader_float_from_uint(rhw_int a)
-{
-    rhw_float result;
-    for (int i = 0; i < RHW_LANES; i++) {
-        result[i] = (float)(uint32_t)a[i];
-    }
-    return result;
-}
-
-static inline rhw_int shader_uint_from_float(rhw_float a)
-{
-    rhw_int result;
-    for (int i = 0; i < RHW_LANES; i++) {
-        result[i] = !(a[i] > 0.0f) ? 0 : a[i] >= 0x1p32f ? -1 : (int32_t)(uint32_t)a[i];
-    }
-    return result;
-}
-
-static inline rhw_int shader_mul_high(rhw_int a, rhw_int b, bool is_signed)
-{
-    rhw_int result;
-    for (int i = 0; i < RHW_LANES; i++) {
-        const int64_t whole = (int64_t)a[i] * b[i];
-        const uint64_t positive = (uint64_t)(uint32_t)a[i] * (uint32_t)b[i];
-        result[i] = is_signed ? (int32_t)((uint64_t)whole >> 32) : (int32_t)(positive >> 32);
-    }
-    return result;
-}
-
-static inline rhw_int shader_pack_halves(rhw_float low, rhw_float high)
-{
-    const rhw_float v[2] = {low, high};
-    return rhw_pack_half2x16(v);
-}
-
-static inline rhw_float shader_frexp_fraction(rhw_float a)
-{
-    rhw_int exponent;
-    return rhw_frexp(a, &exponent);
-}
-
-static inline rhw_int shader_frexp_exponent(rhw_float a)
-{
-    rhw_int exponent;
-    (void)rhw_frexp(a, &exponent);
-    return exponent;
-}
-
 UNARY(run_COPY, i, AI)
 BINARY(run_FADD, f, AF + BF)
 BINARY(run_FSUB, f, AF - BF)
@@ -183,12 +130,6 @@ BINARY(run_FLESS_EQUAL, i, rhw_less_equal(AF, BF))
 BINARY(run_IADD, i, (rhw_int)(AU + BU))
 BINARY(run_ISUB, i, (rhw_int)(AU - BU))
 BINARY(run_IMUL, i, (rhw_int)(AU *BU))
-LONG(run_IMUL_HIGH, i, shader_mul_high(AI, BI, true))
-LONG(run_UMUL_HIGH, i, shader_mul_high(AI, BI, false))
-LONG(run_IDIV, i, rhw_divide_int(AI, BI))
-LONG(run_UDIV, i, rhw_divide_uint(AI, BI))
-LONG(run_IREM, i, rhw_remainder_int(AI, BI))
-LONG(run_UREM, i, rhw_remainder_uint(AI, BI))
 BINARY(run_AND, i, AI &BI)
 BINARY(run_OR, i, AI | BI)
 BINARY(run_XOR, i, AI ^ BI)
@@ -198,43 +139,19 @@ BINARY(run_SHIFT_RIGHT, i, (rhw_int)(AU >> (rhw_uint)(BI & 31)))
 BINARY(run_SHIFT_RIGHT_SIGNED, i, AI >> (BI & 31))
 BINARY(run_IEQUAL, i, rhw_equal_int(AI, BI))
 BINARY(run_ILESS, i, rhw_less_int(AI, BI))
-BINARY(run_ULESS, i, shader_less_uint(AI, BI))
-LONG(run_BIT_REVERSE, i, rhw_bit_reverse(AI))
-LONG(run_BIT_COUNT, i, rhw_bit_count(AI))
-LONG(run_FIND_LOWEST, i, rhw_find_lsb(AI))
-LONG(run_FIND_HIGHEST, i, rhw_find_msb_uint(AI))
+BINARY(run_ULESS, i, rhw_spirv_less_uint(AI, BI))
 TERNARY(run_SELECT, i, rhw_select_int(AI, BI, CI))
 TERNARY(run_MUL_ADD, f, AF *BF + CF)
 TERNARY(run_MUL_SUB, f, AF *BF - CF)
 TERNARY(run_SUB_MUL, f, CF - AF * BF)
 UNARY(run_FLOAT_FROM_INT, f, rhw_float_from_int(AI))
-LONG(run_FLOAT_FROM_UINT, f, shader_float_from_uint(AI))
 UNARY(run_INT_FROM_FLOAT, i, rhw_int_from_float(AF))
-LONG(run_UINT_FROM_FLOAT, i, shader_uint_from_float(AF))
-LONG(run_PACK_HALVES, i, shader_pack_halves(AF, BF))
-LONG(run_UNPACK_LOW_HALF, f, rhw_float_from_half_bits(AI & 0xffff))
-LONG(run_UNPACK_HIGH_HALF, f, rhw_float_from_half_bits((rhw_int)(AU >> 16)))
-LONG(run_SIN, f, rhw_sin(AF))
-LONG(run_COS, f, rhw_cos(AF))
-LONG(run_TAN, f, rhw_tan(AF))
-LONG(run_ASIN, f, rhw_asin(AF))
-LONG(run_ACOS, f, rhw_acos(AF))
-LONG(run_ATAN, f, rhw_atan(AF))
-LONG(run_ATAN2, f, rhw_atan2(AF, BF))
-LONG(run_SINH, f, rhw_sinh(AF))
-LONG(run_COSH, f, rhw_cosh(AF))
-LONG(run_TANH, f, rhw_tanh(AF))
-LONG(run_ASINH, f, rhw_asinh(AF))
-LONG(run_ACOSH, f, rhw_acosh(AF))
-LONG(run_ATANH, f, rhw_atanh(AF))
-LONG(run_EXP, f, rhw_exp(AF))
-LONG(run_LOG, f, rhw_log(AF))
-LONG(run_EXP2, f, rhw_exp2(AF))
-LONG(run_LOG2, f, rhw_log2(AF))
-LONG(run_POW, f, rhw_pow(AF, BF))
-LONG(run_RSQRT, f, rhw_rsqrt(AF))
-LONG(run_LDEXP, f, rhw_ldexp(AF, BI))
-LONG(run_FREXP_FRACTION, f, shader_frexp_fraction(AF))
-LONG(run_FREXP_EXPONENT, i, shader_frexp_exponent(AF))
+
+#define ONE(name, result, operand, function) LONG(run_##name, result, function(a[i * a_step].operand))
+#define TWO(name, result, first, second, function) \
+    LONG(run_##name, result, function(a[i * a_step].first, b[i * b_step].second))
+#include "form/function.inc"
+#undef ONE
+#undef TWO
 
 #endif

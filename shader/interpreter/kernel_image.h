@@ -247,7 +247,7 @@ static void run_IMAGE_ATOMIC(struct frame *frame, const struct shader_instructio
         }
         for (rhw_int todo = active[i].i, lanes; rhw_any(todo);) {
             const uint32_t named = (uint32_t)rhw_binding_next(v[SHADER_IMAGE_ATOMIC_IMAGE], &todo, &lanes);
-            const struct rhw_storage_request request = {.operation = operation_of(in->immediate),
+            const struct rhw_storage_request request = {.operation = shader_storage_operation(in->immediate),
                                                         .mask = &lanes,
                                                         .index = &v[SHADER_IMAGE_ATOMIC_COORDINATES],
                                                         .value = &v[SHADER_IMAGE_ATOMIC_VALUE],

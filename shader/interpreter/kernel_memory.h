@@ -9,7 +9,7 @@
 #include "kernel_flow.h"
 #include "rhw/shader_binding.h"
 #include "rhw/shader_spirv.h"
-#include "form/form.h"
+#include "form/atomic.h"
 
 // Return an element of a resource, or NULL where there is none.
 static const struct rhw_binding *binding_of(const struct frame *frame, uint32_t resource, uint32_t element)
@@ -123,25 +123,6 @@ static void run_LENGTH(struct frame *frame, const struct shader_instruction *in)
     }
 }
 
-static enum rhw_storage_operation operation_of(uint32_t atomic)
-{
-    static const enum rhw_storage_operation operations[] = {
-        [SHADER_ATOMIC_LOAD] = RHW_STORAGE_LOAD,
-        [SHADER_ATOMIC_STORE] = RHW_STORAGE_STORE,
-        [SHADER_ATOMIC_EXCHANGE] = RHW_STORAGE_EXCHANGE,
-        [SHADER_ATOMIC_COMPARE_EXCHANGE] = RHW_STORAGE_COMPARE_EXCHANGE,
-        [SHADER_ATOMIC_ADD] = RHW_STORAGE_ADD,
-        [SHADER_ATOMIC_MIN_INT] = RHW_STORAGE_MIN,
-        [SHADER_ATOMIC_MAX_INT] = RHW_STORAGE_MAX,
-        [SHADER_ATOMIC_MIN_UINT] = RHW_STORAGE_MIN_UNSIGNED,
-        [SHADER_ATOMIC_MAX_UINT] = RHW_STORAGE_MAX_UNSIGNED,
-        [SHADER_ATOMIC_AND] = RHW_STORAGE_AND,
-        [SHADER_ATOMIC_OR] = RHW_STORAGE_OR,
-        [SHADER_ATOMIC_XOR] = RHW_STORAGE_XOR,
-    };
-    return operations[atomic];
-}
-
 static void run_ATOMIC(struct frame *frame, const struct shader_instruction *in)
 {
     const struct shader_operand_of *const operands = frame->bytecode->image_operands + in->b.vector;
@@ -155,7 +136,7 @@ static void run_ATOMIC(struct frame *frame, const struct shader_instruction *in)
         const rhw_int index = (rhw_int)((rhw_uint)v[SHADER_ATOMIC_OFFSET] >> 2);
         for (rhw_int todo = active[i].i, lanes; rhw_any(todo);) {
             const uint32_t named = (uint32_t)rhw_binding_next(v[SHADER_ATOMIC_BUFFER], &todo, &lanes);
-            const struct rhw_storage_request request = {.operation = operation_of(in->immediate),
+            const struct rhw_storage_request request = {.operation = shader_storage_operation(in->immediate),
                                                         .mask = &lanes,
                                                         .index = &index,
                                                         .value = &v[SHADER_ATOMIC_VALUE],

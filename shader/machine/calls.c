@@ -2,6 +2,7 @@
 // See calls.h.
 #include "calls.h"
 
+#include "form/atomic.h"
 #include "rhw/isa.h"
 #include "rhw/shader_binding.h"
 #include "rhw/shader_spirv.h"
@@ -12,57 +13,31 @@ RHW_ISA_DECLARE(shader_call_finder, shader_find_call);
 
 // Arithmetic -----------------------------------------------------------------------------------------
 
-#define UNARY(name, result, operand, function) \
-    static result call_##name(operand a)       \
-    {                                          \
-        return function(a);                    \
+typedef rhw_float vector_f;
+typedef rhw_int vector_i;
+#define ONE(name, result, operand, function)               \
+    static vector_##result call_##name(vector_##operand a) \
+    {                                                      \
+        return function(a);                                \
     }
-#define BINARY(name, result, first, second, function) \
-    static result call_##name(first a, second b)      \
-    {                                                 \
-        return function(a, b);                        \
+#define TWO(name, result, first, second, function)                          \
+    static vector_##result call_##name(vector_##first a, vector_##second b) \
+    {                                                                       \
+        return function(a, b);                                              \
     }
-UNARY(FLOAT_FROM_UINT, rhw_float, rhw_int, rhw_spirv_float_from_uint)
-UNARY(UINT_FROM_FLOAT, rhw_int, rhw_float, rhw_spirv_uint_from_float)
-UNARY(INT_FROM_FLOAT, rhw_int, rhw_float, rhw_int_from_float)
-UNARY(UNPACK_LOW_HALF, rhw_float, rhw_int, rhw_spirv_low_half)
-UNARY(UNPACK_HIGH_HALF, rhw_float, rhw_int, rhw_spirv_high_half)
-UNARY(BIT_REVERSE, rhw_int, rhw_int, rhw_bit_reverse)
-UNARY(BIT_COUNT, rhw_int, rhw_int, rhw_bit_count)
-UNARY(FIND_LOWEST, rhw_int, rhw_int, rhw_find_lsb)
-UNARY(FIND_HIGHEST, rhw_int, rhw_int, rhw_find_msb_uint)
-UNARY(SIN, rhw_float, rhw_float, rhw_sin)
-UNARY(COS, rhw_float, rhw_float, rhw_cos)
-UNARY(TAN, rhw_float, rhw_float, rhw_tan)
-UNARY(ASIN, rhw_float, rhw_float, rhw_asin)
-UNARY(ACOS, rhw_float, rhw_float, rhw_acos)
-UNARY(ATAN, rhw_float, rhw_float, rhw_atan)
-UNARY(SINH, rhw_float, rhw_float, rhw_sinh)
-UNARY(COSH, rhw_float, rhw_float, rhw_cosh)
-UNARY(TANH, rhw_float, rhw_float, rhw_tanh)
-UNARY(ASINH, rhw_float, rhw_float, rhw_asinh)
-UNARY(ACOSH, rhw_float, rhw_float, rhw_acosh)
-UNARY(ATANH, rhw_float, rhw_float, rhw_atanh)
-UNARY(EXP, rhw_float, rhw_float, rhw_exp)
-UNARY(LOG, rhw_float, rhw_float, rhw_log)
-UNARY(EXP2, rhw_float, rhw_float, rhw_exp2)
-UNARY(LOG2, rhw_float, rhw_float, rhw_log2)
-UNARY(RSQRT, rhw_float, rhw_float, rhw_rsqrt)
-UNARY(FREXP_FRACTION, rhw_float, rhw_float, rhw_spirv_fraction)
-UNARY(FREXP_EXPONENT, rhw_int, rhw_float, rhw_spirv_exponent)
-BINARY(PACK_HALVES, rhw_int, rhw_float, rhw_float, rhw_spirv_pack_halves)
-BINARY(IMUL_HIGH, rhw_int, rhw_int, rhw_int, rhw_spirv_mul_high)
-BINARY(UMUL_HIGH, rhw_int, rhw_int, rhw_int, rhw_spirv_mul_high_uint)
-BINARY(IDIV, rhw_int, rhw_int, rhw_int, rhw_divide_int)
-BINARY(UDIV, rhw_int, rhw_int, rhw_int, rhw_divide_uint)
-BINARY(IREM, rhw_int, rhw_int, rhw_int, rhw_remainder_int)
-BINARY(UREM, rhw_int, rhw_int, rhw_int, rhw_remainder_uint)
-BINARY(ATAN2, rhw_float, rhw_float, rhw_float, rhw_atan2)
-BINARY(POW, rhw_float, rhw_float, rhw_float, rhw_pow)
-BINARY(LDEXP, rhw_float, rhw_float, rhw_int, rhw_ldexp)
-BINARY(BALLOT, rhw_int, rhw_int, rhw_int, rhw_spirv_ballot)
-#undef UNARY
-#undef BINARY
+#include "form/function.inc"
+#undef ONE
+#undef TWO
+
+static rhw_int call_INT_FROM_FLOAT(rhw_float a)
+{
+    return rhw_int_from_float(a);
+}
+
+static rhw_int call_BALLOT(rhw_int truth, rhw_int mask)
+{
+    return rhw_spirv_ballot(truth, mask);
+}
 
 static rhw_int call_SHUFFLE(rhw_int value, rhw_int lane, rhw_int mask)
 {
@@ -259,32 +234,14 @@ static rhw_int call_LENGTH(const struct rhw_shader_frame *frame, const struct sh
     return bytes;
 }
 
-static enum rhw_storage_operation operation_of(uint32_t atomic)
-{
-    static const enum rhw_storage_operation operations[] = {
-        [SHADER_ATOMIC_LOAD] = RHW_STORAGE_LOAD,
-        [SHADER_ATOMIC_STORE] = RHW_STORAGE_STORE,
-        [SHADER_ATOMIC_EXCHANGE] = RHW_STORAGE_EXCHANGE,
-        [SHADER_ATOMIC_COMPARE_EXCHANGE] = RHW_STORAGE_COMPARE_EXCHANGE,
-        [SHADER_ATOMIC_ADD] = RHW_STORAGE_ADD,
-        [SHADER_ATOMIC_MIN_INT] = RHW_STORAGE_MIN,
-        [SHADER_ATOMIC_MAX_INT] = RHW_STORAGE_MAX,
-        [SHADER_ATOMIC_MIN_UINT] = RHW_STORAGE_MIN_UNSIGNED,
-        [SHADER_ATOMIC_MAX_UINT] = RHW_STORAGE_MAX_UNSIGNED,
-        [SHADER_ATOMIC_AND] = RHW_STORAGE_AND,
-        [SHADER_ATOMIC_OR] = RHW_STORAGE_OR,
-        [SHADER_ATOMIC_XOR] = RHW_STORAGE_XOR,
-    };
-    return operations[atomic];
-}
-
 static rhw_int call_ATOMIC(const struct rhw_shader_frame *frame, const struct shader_site *site,
                            const struct shader_found *one, rhw_int element, rhw_int index, rhw_int value,
                            rhw_int comparand, rhw_int mask)
 {
     rhw_int before = rhw_splat_int(0);
     for (struct named n = begin_named(frame, site, one, element, mask); next_binding(&n);) {
-        before |= rhw_spirv_atomic(n.binding, operation_of(site->flags), index, value, comparand, n.lanes);
+        before |= rhw_spirv_atomic(n.binding, shader_storage_operation(site->flags), index, value, comparand,
+                                   n.lanes);
     }
     return before;
 }
@@ -296,7 +253,8 @@ static rhw_int call_IMAGE_ATOMIC(const struct rhw_shader_frame *frame, const str
     const rhw_int at[4] = {x, y, z};
     rhw_int before = rhw_splat_int(0);
     for (struct named n = begin_named(frame, site, one, element, mask); next_binding(&n);) {
-        before |= rhw_spirv_image_atomic(n.binding, operation_of(site->flags), at, value, comparand, n.lanes);
+        before |= rhw_spirv_image_atomic(n.binding, shader_storage_operation(site->flags), at, value,
+                                         comparand, n.lanes);
     }
     return before;
 }
@@ -405,47 +363,13 @@ static int call_GIVEN_UP(const struct rhw_bindings *bindings)
     return rhw_work_is_given_up(bindings);
 }
 
-#define ENTRY(name) [SHADER_##name] = (shader_call_function *)call_##name
-#define MORE(name)  [SHADER_CALL_##name] = (shader_call_function *)call_##name
+#define ENTRY(name)                                [SHADER_##name] = (shader_call_function *)call_##name
+#define MORE(name)                                 [SHADER_CALL_##name] = (shader_call_function *)call_##name
+#define ONE(name, result, operand, function)       ENTRY(name),
+#define TWO(name, result, first, second, function) ENTRY(name),
 static shader_call_function *const functions[SHADER_CALLS] = {
-    ENTRY(FLOAT_FROM_UINT),
-    ENTRY(UINT_FROM_FLOAT),
+#include "form/function.inc"
     ENTRY(INT_FROM_FLOAT),
-    ENTRY(UNPACK_LOW_HALF),
-    ENTRY(UNPACK_HIGH_HALF),
-    ENTRY(BIT_REVERSE),
-    ENTRY(BIT_COUNT),
-    ENTRY(FIND_LOWEST),
-    ENTRY(FIND_HIGHEST),
-    ENTRY(SIN),
-    ENTRY(COS),
-    ENTRY(TAN),
-    ENTRY(ASIN),
-    ENTRY(ACOS),
-    ENTRY(ATAN),
-    ENTRY(SINH),
-    ENTRY(COSH),
-    ENTRY(TANH),
-    ENTRY(ASINH),
-    ENTRY(ACOSH),
-    ENTRY(ATANH),
-    ENTRY(EXP),
-    ENTRY(LOG),
-    ENTRY(EXP2),
-    ENTRY(LOG2),
-    ENTRY(RSQRT),
-    ENTRY(FREXP_FRACTION),
-    ENTRY(FREXP_EXPONENT),
-    ENTRY(PACK_HALVES),
-    ENTRY(IMUL_HIGH),
-    ENTRY(UMUL_HIGH),
-    ENTRY(IDIV),
-    ENTRY(UDIV),
-    ENTRY(IREM),
-    ENTRY(UREM),
-    ENTRY(ATAN2),
-    ENTRY(POW),
-    ENTRY(LDEXP),
     ENTRY(BALLOT),
     ENTRY(SHUFFLE),
     ENTRY(SCAN),
@@ -479,6 +403,8 @@ static shader_call_function *const functions[SHADER_CALLS] = {
 };
 #undef ENTRY
 #undef MORE
+#undef ONE
+#undef TWO
 
 shader_call_function *RHW_ISA_NAME(shader_find_call)(unsigned which)
 {
