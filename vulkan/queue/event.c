@@ -44,7 +44,7 @@ static bool is_set(void *user)
 
 VKAPI_ATTR VkResult VKAPI_CALL vkGetEventStatus(VkDevice device, VkEvent event)
 {
-    const VkResult result = vulkan_queue_ask(&device->queue, is_set, event);
+    const VkResult result = vulkan_queue_ask(&device->queue, event, is_set, event);
     return result == VK_TIMEOUT ? VK_EVENT_RESET : result == VK_SUCCESS ? VK_EVENT_SET : result;
 }
 

@@ -55,7 +55,7 @@ static bool are_signaled(void *user)
 VKAPI_ATTR VkResult VKAPI_CALL vkGetFenceStatus(VkDevice device, VkFence fence)
 {
     struct fences wait = {&fence, 1, true};
-    const VkResult result = vulkan_queue_ask(&device->queue, are_signaled, &wait);
+    const VkResult result = vulkan_queue_ask(&device->queue, fence, are_signaled, &wait);
     return result == VK_TIMEOUT ? VK_NOT_READY : result;
 }
 
@@ -63,6 +63,5 @@ VKAPI_ATTR VkResult VKAPI_CALL vkWaitForFences(VkDevice device, uint32_t count, 
                                                VkBool32 all, uint64_t timeout)
 {
     struct fences wait = {fences, count, all};
-    return timeout == 0 ? vulkan_queue_ask(&device->queue, are_signaled, &wait)
-                        : vulkan_queue_wait(&device->queue, are_signaled, &wait, timeout);
+    return vulkan_queue_wait(&device->queue, are_signaled, &wait, timeout);
 }

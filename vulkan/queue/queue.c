@@ -14,7 +14,8 @@
 enum {
     NANOSECONDS = 1000000000,
     // Dawn in node asks every 10 to 30 microseconds until a buffer is there. A program that asks once a frame pauses
-    // for longer, and one that looks a few times and then waits asks less often in a row: neither is held up.
+    // for longer, one that looks a few times and then waits asks less often in a row, and one that looks at many
+    // objects asks for another one each time: none of them is held up.
     ASK_PAUSE = 100000,
     ASK_REFUSALS = 8,
     ASK_WAIT = 1000000
@@ -48,20 +49,22 @@ VkResult vulkan_queue_wait(VkQueue queue, bool (*is_true)(void *user), void *use
 }
 
 // Count an answer that is no. Return true if the thread that asks is to wait. The lock is held.
-static bool is_insistent(VkQueue queue, uint64_t now)
+static bool is_insistent(VkQueue queue, const void *object, uint64_t now)
 {
-    queue->refusals = now - queue->asked < ASK_PAUSE ? queue->refusals + 1 : 0;
+    const bool is_again = object == queue->asked_for && now - queue->asked < ASK_PAUSE;
+    queue->refusals = is_again ? queue->refusals + 1 : 0;
+    queue->asked_for = object;
     queue->asked = now;
     return queue->refusals >= ASK_REFUSALS && queue->first;
 }
 
-VkResult vulkan_queue_ask(VkQueue queue, bool (*is_true)(void *user), void *user)
+VkResult vulkan_queue_ask(VkQueue queue, const void *object, bool (*is_true)(void *user), void *user)
 {
     pthread_mutex_lock(&queue->lock);
     bool holds = is_true(user);
     if (!holds && !queue->is_lost) {
         const uint64_t now = vulkan_now();
-        if (is_insistent(queue, now)) {
+        if (is_insistent(queue, object, now)) {
             const struct timespec until = timespec_of(now + ASK_WAIT);
             while (!holds && queue->first && !queue->is_lost &&
                    pthread_cond_timedwait(&queue->changed, &queue->lock, &until) != ETIMEDOUT) {

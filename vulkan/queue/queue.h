@@ -33,16 +33,17 @@ struct VkQueue_T {
     VkDevice device;
     rhw_context *context;
     pthread_t thread;
-    pthread_mutex_t lock;                   ///< guards what stands behind it
-    pthread_cond_t changed;                 ///< something was submitted, has run, or was signalled
-    pthread_mutex_t in_use;                 ///< held by the thread that calls librhw with the context
-    uint64_t timeout;                       ///< nanoseconds after which a submission is given up; 0: never
-    uint64_t begun;                         ///< time at which the submission under way began, of vulkan_now
-    struct vulkan_arena_block *arena;       ///< memory that replay keeps from one submission to the next
-    bool ends;                              ///< the thread ends when nothing is left
-    bool is_lost;                           ///< a shader was given up or memory ran out
-    uint64_t asked;                         ///< time of the last answer of vulkan_queue_ask that was no
-    uint32_t refusals;                      ///< how many answers were no without a pause between them
+    pthread_mutex_t lock;             ///< guards what stands behind it
+    pthread_cond_t changed;           ///< something was submitted, has run, or was signalled
+    pthread_mutex_t in_use;           ///< held by the thread that calls librhw with the context
+    uint64_t timeout;                 ///< nanoseconds after which a submission is given up; 0: never
+    uint64_t begun;                   ///< time at which the submission under way began, of vulkan_now
+    struct vulkan_arena_block *arena; ///< memory that replay keeps from one submission to the next
+    bool ends;                        ///< the thread ends when nothing is left
+    bool is_lost;                     ///< a shader was given up or memory ran out
+    const void *asked_for;            ///< what the last answer of vulkan_queue_ask was about, if it was no
+    uint64_t asked;                   ///< time of that answer
+    uint32_t refusals;                ///< how many answers about it were no without a pause between them
     struct vulkan_submission *first, *last; ///< what waits or runs, in order
     struct vulkan_retired *retired;
     size_t retired_count, retired_capacity;
@@ -61,10 +62,10 @@ uint64_t vulkan_now(void);
 // held. Return VK_SUCCESS, VK_TIMEOUT or VK_ERROR_DEVICE_LOST.
 VkResult vulkan_queue_wait(VkQueue queue, bool (*is_true)(void *user), void *user, uint64_t timeout);
 
-// Return what vulkan_queue_wait returns for a timeout of 0. A program that asks again and again, without a pause, takes
-// a core from the threads that do what it asks for: while the queue has work, it gets its answer later, by a
-// millisecond at most, or as soon as it is yes.
-VkResult vulkan_queue_ask(VkQueue queue, bool (*is_true)(void *user), void *user);
+// Return what vulkan_queue_wait returns for a timeout of 0. A program that asks for an object again and again, without
+// a pause, takes a core from the threads that do what it asks for: while the queue has work, it gets its answer later,
+// by a millisecond at most, or as soon as it is yes.
+VkResult vulkan_queue_ask(VkQueue queue, const void *object, bool (*is_true)(void *user), void *user);
 
 // Let the queue's thread destroy an id, which may be the null id. Any thread may call these.
 void vulkan_retire_texture(VkQueue queue, rhw_texture texture);

@@ -51,7 +51,7 @@ VKAPI_ATTR VkResult VKAPI_CALL vkGetSemaphoreCounterValue(VkDevice device, VkSem
                                                           uint64_t *value)
 {
     struct told told = {semaphore, 0};
-    const VkResult result = vulkan_queue_ask(&device->queue, is_new, &told);
+    const VkResult result = vulkan_queue_ask(&device->queue, semaphore, is_new, &told);
     *value = told.value;
     return result == VK_TIMEOUT ? VK_SUCCESS : result;
 }
@@ -70,8 +70,7 @@ VKAPI_ATTR VkResult VKAPI_CALL vkWaitSemaphores(VkDevice device, const VkSemapho
                                                 uint64_t timeout)
 {
     VkSemaphoreWaitInfo wait = *info;
-    return timeout == 0 ? vulkan_queue_ask(&device->queue, have_values, &wait)
-                        : vulkan_queue_wait(&device->queue, have_values, &wait, timeout);
+    return vulkan_queue_wait(&device->queue, have_values, &wait, timeout);
 }
 
 VKAPI_ATTR VkResult VKAPI_CALL vkSignalSemaphore(VkDevice device, const VkSemaphoreSignalInfo *info)
