@@ -159,6 +159,55 @@ static void expect_bytes(const struct rig_buffer *buffer, int byte)
     }
 }
 
+// A rendering that clears both aspects of 4 samples and resolves depth alone leaves the stencil of 9 that is there.
+static void a_rendering_resolves_one_aspect(void **state)
+{
+    (void)state;
+    struct rig rig;
+    rig_open(&rig);
+    const VkFormat both = VK_FORMAT_D32_SFLOAT_S8_UINT;
+    const VkImageLayout drawn = VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL;
+    const struct rig_image many = make_image(&rig, both, VK_SAMPLE_COUNT_4_BIT);
+    const struct rig_image one = make_image(&rig, both, VK_SAMPLE_COUNT_1_BIT);
+    const VkAttachmentDescription2 filled = describe(both, VK_SAMPLE_COUNT_1_BIT, drawn);
+    const VkAttachmentReference2 depth =
+        refer(0, drawn, VK_IMAGE_ASPECT_DEPTH_BIT | VK_IMAGE_ASPECT_STENCIL_BIT);
+    const VkRenderPass pass =
+        make_pass(&rig, &filled, 1, (VkSubpassDescription2){.pDepthStencilAttachment = &depth});
+    const VkClearValue before = {.depthStencil = {0.25f, 9}}, after = {.depthStencil = {0.5f, 7}};
+    begin_pass(&rig, NULL, pass, make_framebuffer(&rig, pass, &one.view, 1), &before, 1);
+    vkCmdEndRenderPass(rig.commands);
+    VkRenderingAttachmentInfo aspects[2];
+    for (int i = 0; i < 2; i++) {
+        aspects[i] = (VkRenderingAttachmentInfo){.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO,
+                                                 .imageView = many.view,
+                                                 .imageLayout = drawn,
+                                                 .resolveMode = i == 0 ? VK_RESOLVE_MODE_SAMPLE_ZERO_BIT
+                                                                       : VK_RESOLVE_MODE_NONE,
+                                                 .resolveImageView = i == 0 ? one.view : VK_NULL_HANDLE,
+                                                 .resolveImageLayout = drawn,
+                                                 .loadOp = VK_ATTACHMENT_LOAD_OP_CLEAR,
+                                                 .storeOp = VK_ATTACHMENT_STORE_OP_DONT_CARE,
+                                                 .clearValue = after};
+    }
+    const VkRenderingInfo info = {.sType = VK_STRUCTURE_TYPE_RENDERING_INFO,
+                                  .renderArea = {.extent = {SIDE, SIDE}},
+                                  .layerCount = 1,
+                                  .pDepthAttachment = &aspects[0],
+                                  .pStencilAttachment = &aspects[1]};
+    rig_barrier(&rig, &many, VK_IMAGE_LAYOUT_UNDEFINED, drawn);
+    ((PFN_vkCmdBeginRenderingKHR)vkGetDeviceProcAddr(rig.device, "vkCmdBeginRenderingKHR"))(rig.commands,
+                                                                                            &info);
+    ((PFN_vkCmdEndRenderingKHR)vkGetDeviceProcAddr(rig.device, "vkCmdEndRenderingKHR"))(rig.commands);
+    rig_barrier(&rig, &one, drawn, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL);
+    const struct rig_buffer read[2] = {read_aspect(&rig, &one, VK_IMAGE_ASPECT_DEPTH_BIT),
+                                       read_aspect(&rig, &one, VK_IMAGE_ASPECT_STENCIL_BIT)};
+    rig_run(&rig);
+    expect_depth(&read[0], 0.5f);
+    expect_bytes(&read[1], 9);
+    rig_close(&rig);
+}
+
 static void one_aspect_is_resolved_alone(void **state)
 {
     (void)state;
@@ -550,6 +599,7 @@ static void a_subpass_without_attachments_has_the_samples_of_its_pipelines(void 
 
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(one_aspect_is_resolved_alone),
+    cmocka_unit_test(a_rendering_resolves_one_aspect),
     cmocka_unit_test(a_clear_of_what_is_not_there_does_nothing),
     cmocka_unit_test(tests_of_an_aspect_that_is_not_rendered_pass),
     cmocka_unit_test(a_pass_has_any_number_of_attachments_and_inputs),

@@ -433,7 +433,7 @@ static void a_frame_survives_any_allocation_that_fails(void **state)
     assert_int_equal(unsetenv("RHW_VULKAN_THREADS"), 0);
 }
 
-// The second pipeline of a shader takes few allocations, with a pipeline cache of its own and without one.
+// The second pipeline of a shader takes few allocations.
 static void a_shader_is_translated_once(void **state)
 {
     (void)state;

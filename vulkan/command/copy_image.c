@@ -48,7 +48,9 @@ static bool is_within(const struct buffer_copy *copy)
                                    ? 0
                                    : (units.depth - 1) * rows.slice_pitch +
                                          (units.height - 1) * rows.row_pitch + units.width * bytes;
-    return region->bufferOffset <= copy->size && needs <= copy->size - region->bufferOffset &&
+    // Slices that stand this far apart are no product that goes beyond 64 bits.
+    const bool is_near = units.depth <= 1 || rows.slice_pitch <= copy->size;
+    return is_near && region->bufferOffset <= copy->size && needs <= copy->size - region->bufferOffset &&
            vulkan_region_is_within(copy->image, &region->imageSubresource, region->imageOffset,
                                    region->imageExtent);
 }

@@ -18,7 +18,7 @@ static uint32_t first_view(uint32_t mask)
 static void clear_unloaded(struct vulkan_replay *replay, uint32_t number)
 {
     struct vulkan_pass_state *const pass = &replay->pass;
-    if (number == VK_ATTACHMENT_UNUSED || !pass->views[number] ||
+    if (replay->result != VK_SUCCESS || number == VK_ATTACHMENT_UNUSED || !pass->views[number] ||
         pass->loaded[number] >> pass->view_index & 1) {
         return;
     }

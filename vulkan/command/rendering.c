@@ -105,6 +105,9 @@ static void set_depth(const VkRenderingInfo *info, struct rendering *rendering)
             resolves_stencil ? stencil->resolveMode : VK_RESOLVE_MODE_NONE;
         rendering->attachments[DEPTH + 1] = rendering->attachments[DEPTH];
         rendering->attachments[DEPTH + 1].samples = 1;
+        // The image that is resolved into keeps what is not resolved.
+        rendering->attachments[DEPTH + 1].load = VK_ATTACHMENT_LOAD_OP_LOAD;
+        rendering->attachments[DEPTH + 1].stencil_load = VK_ATTACHMENT_LOAD_OP_LOAD;
     }
 }
 

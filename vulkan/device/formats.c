@@ -119,7 +119,9 @@ static bool is_supported(const VkPhysicalDeviceImageFormatInfo2 *info, VkFormatF
         VK_IMAGE_CREATE_BLOCK_TEXEL_VIEW_COMPATIBLE_BIT;
     const bool is_flat = vulkan_format_is_compressed(info->format) ||
                          vulkan_format_aspects(info->format) != VK_IMAGE_ASPECT_COLOR_BIT;
-    const VkFormatFeatureFlags wanted = needs(info->usage);
+    // With extended usage it is views of other formats that may be used so.
+    const VkFormatFeatureFlags wanted =
+        info->flags & VK_IMAGE_CREATE_EXTENDED_USAGE_BIT ? 0 : needs(info->usage);
     return features != 0 && !(info->flags & missing) && (features & wanted) == wanted &&
            (info->tiling == VK_IMAGE_TILING_OPTIMAL || info->type == VK_IMAGE_TYPE_2D) &&
            info->tiling <= VK_IMAGE_TILING_LINEAR && (info->type == VK_IMAGE_TYPE_2D || !is_flat);

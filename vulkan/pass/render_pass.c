@@ -83,8 +83,11 @@ static struct references references2_of(const VkAttachmentReference2 *first)
 // Return the number of reference i. One that the pass does not have counts as unused.
 static uint32_t number_at(VkRenderPass pass, struct references references, uint32_t i)
 {
+    if (!references.first) {
+        return VK_ATTACHMENT_UNUSED;
+    }
     const char *const place = (const char *)references.first + i * references.stride;
-    const uint32_t number = references.first ? *(const uint32_t *)(const void *)place : VK_ATTACHMENT_UNUSED;
+    const uint32_t number = *(const uint32_t *)(const void *)place;
     return number < pass->attachment_count ? number : VK_ATTACHMENT_UNUSED;
 }
 

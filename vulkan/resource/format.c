@@ -216,5 +216,6 @@ bool vulkan_format_is_compressed(VkFormat format)
 size_t vulkan_format_bytes(VkFormat format, VkImageAspectFlags aspect)
 {
     const enum rhw_format own = vulkan_format(format);
-    return aspect & VK_IMAGE_ASPECT_STENCIL_BIT ? 1 : rhw_format_block_bytes(own);
+    const bool is_stencil = aspect & vulkan_format_aspects(format) & VK_IMAGE_ASPECT_STENCIL_BIT;
+    return is_stencil ? 1 : rhw_format_block_bytes(own);
 }
