@@ -581,9 +581,10 @@ AC
 run render dummy.ac $view -o x.png
 check "a dummy texture is none: $(cat "$folder/log/err")" test ! -s "$folder/log/err"
 sed 's/^mat 0/mat 1/' dummy.ac >lacks.ac
-refuse 1 "lacks.ac: line 13: a surface has material 1 of 1$" render lacks.ac $view -o x.png
+refuse 1 "lacks.ac: line 13: a surface has material 1; the file has 1, counted from 0$" render lacks.ac $view -o x.png
 sed '/^MATERIAL/d; /^mat/d' dummy.ac >none.ac
-refuse 1 "none.ac: line 11: a surface has material 0 of 0$" render none.ac $view -o x.png
+run render none.ac $view -o x.png
+check "where a file has no materials there is one: $(cat "$folder/log/err")" test ! -s "$folder/log/err"
 sed 's/.texture_dummy.bmp/nowhere.bmp/' dummy.ac >other.ac
 run render other.ac $view -o x.png
 check "another is" grep -q 'nowhere.bmp.*drawn in magenta' "$folder/log/err"

@@ -72,7 +72,7 @@ function(rhw_add_optimized target)
 endfunction()
 
 # Gives a target what the emitter writes of GLSL texts, so that its tests can draw with C (harness/emitted.h). A fragment
-# shader goes with the vertex shader of its name, or with plain.vert.
+# shader goes with the vertex shader of its name or of the part before "_", or with plain.vert.
 function(rhw_add_emitted target)
   set(folder ${CMAKE_CURRENT_BINARY_DIR}/${target}_c)
   file(MAKE_DIRECTORY ${folder})
@@ -85,14 +85,15 @@ function(rhw_add_emitted target)
   foreach(text ${ARGN})
     get_filename_component(file ${text} NAME)
     get_filename_component(name ${text} NAME_WE)
+    string(REGEX REPLACE "_.*" "" first ${name})
     add_custom_command(OUTPUT ${folder}/${file}.spv DEPENDS ${text} VERBATIM
       COMMAND ${RHW_GLSLANG} -V --quiet --target-env vulkan1.1 -o ${folder}/${file}.spv ${text})
     set(modules)
     if(file MATCHES "\\.comp$")
       set(name ${name}_comp) # a fragment shader may have the same name
       set(modules ${folder}/${file}.spv)
-    elseif(file MATCHES "\\.frag$" AND EXISTS ${RHW_UNIT_FOLDER}/spirv/glsl/${name}.vert)
-      set(modules ${folder}/${name}.vert.spv ${folder}/${file}.spv)
+    elseif(file MATCHES "\\.frag$" AND EXISTS ${RHW_UNIT_FOLDER}/spirv/glsl/${first}.vert)
+      set(modules ${folder}/${first}.vert.spv ${folder}/${file}.spv)
     elseif(file MATCHES "\\.frag$")
       set(modules ${folder}/plain.vert.spv ${folder}/${file}.spv)
     endif()

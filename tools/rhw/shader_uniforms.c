@@ -61,7 +61,7 @@ static void write_value(const struct rhw_shader_member *member, const struct val
 static const struct cli_shader_resource *find_channel(const struct cli_shader_resources *resources,
                                                       int channel)
 {
-    char name[16];
+    char name[24];
     snprintf(name, sizeof name, "iChannel%d", channel);
     for (int i = 0; i < resources->count; i++) {
         if (strcmp(resources->list[i].what->name, name) == 0) {

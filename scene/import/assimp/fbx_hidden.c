@@ -110,6 +110,17 @@ static bool next_string(struct scene_line *line, struct scene_word *string)
     return true;
 }
 
+// Return whether a string is the name of an object, behind its class: "DisplayLayer::Layer1".
+static bool has_class(struct scene_word string)
+{
+    for (size_t i = 0; i + 1 < string.length; i++) {
+        if (string.start[i] == ':' && string.start[i + 1] == ':') {
+            return true;
+        }
+    }
+    return false;
+}
+
 // In text a record has a line of its own, and so has a property.
 static void look_at_text(struct hidden *hidden, char *bytes, size_t size)
 {
@@ -123,6 +134,8 @@ static void look_at_text(struct hidden *hidden, char *bytes, size_t size)
         if (scene_word_is(word, "Model:")) {
             name.length = 0;
             next_string(&line, &name);
+        } else if (!scene_word_is(word, "P:") && next_string(&line, &strings[0]) && has_class(strings[0])) {
+            name.length = 0; // an object of another kind begins
         } else if (scene_word_is(word, "P:") && name.length > 0) {
             int count = 0;
             double value = 0;

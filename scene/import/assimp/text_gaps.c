@@ -48,13 +48,28 @@ static void look_at_nff(struct scene_import *import, struct scene_text *text)
     }
 }
 
-// Refuse a surface whose material is not there, at which assimp 5.2.5 crashes. Surfaces that name none have the first.
-static void check_material(struct scene_import *import, const struct scene_text *text, double number,
-                           unsigned materials)
+// The materials of an AC3D file, and the number of a surface that is the greatest, or none at all.
+struct numbers {
+    unsigned count;
+    double worst;
+    unsigned line; // where that stands
+};
+
+static void look_at_number(struct numbers *numbers, const struct scene_text *text, double number)
 {
-    if (!(number >= 0 && number < (double)materials)) {
-        scene_import_fail(import, "line %u: a surface has material %.0f of %u", text->line, number,
-                          materials);
+    const bool is_worse = number > numbers->worst || !(number >= 0);
+    if (numbers->worst >= 0 && is_worse) {
+        *numbers = (struct numbers){numbers->count, number, text->line};
+    }
+}
+
+// Refuse a surface whose material is not there, at which assimp 5.2.5 crashes. Where a file has none, assimp makes one.
+static void check_numbers(struct scene_import *import, const struct numbers *numbers)
+{
+    const double count = numbers->count > 0 ? numbers->count : 1;
+    if (!(numbers->worst >= 0 && numbers->worst < count)) {
+        scene_import_fail(import, "line %u: a surface has material %.0f; the file has %u, counted from 0",
+                          numbers->line, numbers->worst, numbers->count);
     }
 }
 
@@ -67,7 +82,7 @@ static void look_at_ac3d(struct scene_import *import, struct scene_text *text)
     struct scene_unknown_words unknown = {.format = "AC3D"};
     struct scene_line line;
     struct scene_word word;
-    unsigned materials = 0;
+    struct numbers numbers = {0};
     bool is_textured = false;
     while (scene_text_line(text, false, &line)) {
         if (!scene_text_word(&line, &word) || is_number(word) || strncmp(word.start, "AC3D", 4) == 0) {
@@ -83,14 +98,14 @@ static void look_at_ac3d(struct scene_import *import, struct scene_text *text)
         } else if (!is_one_of(word, known, sizeof known / sizeof *known)) {
             scene_unknown_words_tell(import, &unknown, word);
         }
-        materials += scene_word_is(word, "MATERIAL");
-        if (scene_word_is(word, "mat") || scene_word_is(word, "SURF")) {
-            double number = 0;
-            const bool is_named = scene_word_is(word, "mat") && scene_text_double(&line, &number);
-            check_material(import, text, is_named ? number : 0, materials);
+        numbers.count += scene_word_is(word, "MATERIAL");
+        double number;
+        if (scene_word_is(word, "mat") && scene_text_double(&line, &number)) {
+            look_at_number(&numbers, text, number);
         }
         is_textured = is_texture || (is_textured && !scene_word_is(word, "OBJECT"));
     }
+    check_numbers(import, &numbers);
 }
 
 void scene_assimp_look_at_text(struct scene_import *import, char *bytes, size_t size)

@@ -230,7 +230,8 @@ static void tell_highlights(struct scene_import *import, const struct scene_phon
         low = value < low ? value : low;
         high = value > high ? value : high;
     }
-    if (high - low >= least && phong->metallic < 0 && !phong->dull && !phong->unlit) {
+    if (high - low >= least && phong->metallic < 0 && !is_there(&phong->metallic_map) && !phong->dull &&
+        !phong->unlit) {
         scene_import_unsupported(import, "coloured highlights: drawn white");
     }
 }

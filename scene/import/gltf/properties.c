@@ -255,7 +255,9 @@ static void tell_near(struct scene_gltf *gltf, enum kind of, const json_t *objec
         const unsigned most = strlen(known) < 5   ? 0
                               : strlen(known) < 8 ? 1
                                                   : 2; // short names are near others
-        if (properties[i].of == of && distance(name, known) <= most &&
+        const size_t shorter = strlen(name) < strlen(known) ? strlen(name) : strlen(known);
+        const bool may_be = strlen(name) + strlen(known) - 2 * shorter <= most;
+        if (properties[i].of == of && may_be && distance(name, known) <= most &&
             json_object_get(object, known) == NULL) {
             scene_import_unsupported(gltf->import,
                                      "the property \"%.60s\" (glTF), which should be \"%s\": not used",

@@ -157,7 +157,6 @@ static void test_texture_coordinate_sets(void **state)
     }
 }
 
-// An image that names no file is one that is missing. assimp refuses the document, or aborts.
 // A convex mesh with parts of its own is drawn as any mesh. The hull of another mesh is not.
 static void test_convex(void **state)
 {
@@ -178,6 +177,7 @@ static void test_convex(void **state)
     }
 }
 
+// An image that names no file is one that is missing. assimp refuses the document, or aborts.
 static void test_images_without_names(void **state)
 {
     (void)state;

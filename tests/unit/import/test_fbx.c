@@ -258,6 +258,10 @@ static void test_hidden(void **state)
         {"\t\t\tP: \"Visibility\", \"Visibility\", \"\", \"A\",0\n", "\tC: \"OO\",11,12\n", true},
         {"\t\t\tP: \"Show\", \"bool\", \"\", \"\",0\n", "\tC: \"OO\",11,12\n", true},
         {"\t\t\tP: \"Show\", \"bool\", \"\", \"\",0\n", "\tC: \"OO\",11,0\n", false},
+        {"\t\t}\n\t}\n\tCollectionExclusive: 13, \"DisplayLayer::l\", \"DisplayLayer\" {\n\t\tProperties70:  "
+         "{\n"
+         "\t\t\tP: \"Show\", \"bool\", \"\", \"\",0\n",
+         "\tC: \"OO\",11,12\n", false},
         {"\t\t\tP: \"Hidden\", \"bool\", \"\", \"\",0\n", "\tC: \"OO\",11,12\n", false},
     };
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {

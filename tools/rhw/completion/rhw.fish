@@ -214,7 +214,7 @@ complete -c rhw -n "$seen" -l depfile -r -F -d 'with --out, write a rule for mak
 complete -c rhw -n "$seen" -l run -d 'draw with a fragment shader on all of a picture, or dispatch a compute shader'
 complete -c rhw -n "$seen" -l size -x -a '512 1280x720 1920x1080 1024x1024 3840x2160' -d 'pixels of the picture, or N for a square'
 complete -c rhw -n "$seen" -l time -x -d 'what iTime has'
-complete -c rhw -n "$seen" -l mouse -x -d 'what iMouse has, in pixels from the top left'
+complete -c rhw -n "$seen" -l mouse -x -d 'what iMouse has, in pixels from the top left, with mainImage() from the bottom left'
 complete -c rhw -n "$seen" -l texture -x -d 'picture of a texture'
 complete -c rhw -n "$seen" -l groups -x -d 'workgroups of a compute shader'
 complete -c rhw -n "$seen" -l buffer -x -d 'what a buffer holds at first'

@@ -27,7 +27,7 @@ const CURVES = [
   },
 ];
 
-const AXES = { x: { en: 'place on the screen', zh: '屏幕位置' }, y: { en: 'each from 0 to the number beside its name', zh: '每条从 0 到其名称旁的数' } };
+const AXES = { x: { en: 'place on the screen', zh: '屏幕位置' }, y: { en: 'each from 0 to the number beside its name', zh: '各曲线的纵轴从 0 到名称旁所标的值' } };
 
 // A curve's name with its scale.
 function named(plot, curve) {

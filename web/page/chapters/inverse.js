@@ -242,7 +242,7 @@ const OF = {
   naiveU: ({ s }) => s,
 };
 const NAIVE_W = { name: { en: 'W mixed on the screen: wrong', zh: '直接插值的 W：错误' }, kind: 'naive', of: OF.naiveW };
-const NAIVE_U = { name: { en: 's, u mixed on the screen: wrong', zh: 's，即直接插值的 u：错误' }, kind: 'naive', of: OF.naiveU };
+const NAIVE_U = { name: { en: 's, which is u mixed on the screen: wrong', zh: 's，即直接插值的 u：错误' }, kind: 'naive', of: OF.naiveU };
 const INVERSE = { name: { en: '1/W: straight', zh: '1/W：直线' }, kind: 'inverse', of: OF.inverse };
 // What the two plots show, the upper one first. The curves of a plot have one scale.
 const PLOTS = {
