@@ -108,7 +108,7 @@ static inline rhw_int rhw_spirv_pick(const uint32_t *words, rhw_int index, rhw_i
 {
 #if defined(__AVX2__)
     const rhw_int row = {0, 1, 2, 3, 4, 5, 6, 7};
-    const rhw_int from_first = index - index[0];
+    const rhw_int from_first = (rhw_int)((rhw_uint)index - (uint32_t)index[0]);
     if (!rhw_any(inside)) {
         return rhw_splat_int(0);
     }

@@ -33,7 +33,8 @@ static inline uint32_t begin(struct shader_builder *builder, enum shader_op op)
 struct shader_rounds {
     uint32_t header, merge, next; // labels
     uint32_t count;               // rounds that are whole; the next one leaves at the test
-    uint32_t from; // label of an empty block between the test and the merge block, or UINT32_MAX
+    uint32_t from;              // label of an empty block between the test and the merge block, or UINT32_MAX
+    uint32_t home, start, step; // the counter: its home, what it begins with and grows by
 };
 
 // build_flow.c. Control flow has come to a label. Return true if it goes on there in the same construct, and false if

@@ -76,12 +76,15 @@ static void build_rounds(struct shader_builder *builder, const struct shader_rou
     const uint32_t region = begin(builder, SHADER_REGION);
     struct shader_construct left = {.merge = rounds->merge, .region = region, .outer = builder->constructs};
     builder->constructs = &left;
-    for (uint32_t i = 0; i < rounds->count; i++) {
+    for (uint32_t i = 0; i <= rounds->count; i++) {
         builder->call = ++builder->calls;
-        build_round(builder, rounds->header, rounds->next);
+        shader_learn(builder, rounds->home, shader_number(builder, rounds->start + i * rounds->step));
+        if (i < rounds->count) {
+            build_round(builder, rounds->header, rounds->next);
+        } else {
+            build_last_round(builder, rounds);
+        }
     }
-    builder->call = ++builder->calls;
-    build_last_round(builder, rounds);
     builder->call = call;
     builder->constructs = left.outer;
     flow(builder, SHADER_END_REGION, 0);

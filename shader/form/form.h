@@ -259,13 +259,13 @@ static inline enum shader_op_kind shader_op_kind_of(enum shader_op op)
     return shader_ops[op].kind;
 }
 
-// Return true if operand 0 is the place of a list.
 // Return true for what begins structure that ends.
 static inline bool shader_opens(uint32_t op)
 {
     return op == SHADER_IF || op == SHADER_REGION || op == SHADER_LOOP;
 }
 
+// Return true if operand 0 is the place of a list.
 static inline bool shader_op_has_list(enum shader_op op)
 {
     return op == SHADER_SAMPLE || op == SHADER_IMAGE_STORE || op == SHADER_ATOMIC ||

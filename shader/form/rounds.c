@@ -41,7 +41,10 @@ static bool is_constant(const struct loop *loop, uint32_t id, uint32_t *bits)
         return false;
     }
     const struct shader_constant *const constant = loop->builder->module->ids[id].data.as_constant;
-    *bits = constant->scalars ? constant->scalars[0] : 0;
+    if (!constant || !constant->scalars) {
+        return false;
+    }
+    *bits = constant->scalars[0];
     return constant->type->kind == SHADER_INT && constant->type->bits == 32;
 }
 
@@ -109,6 +112,23 @@ static bool find_step(struct loop *loop, uint32_t id)
     return false;
 }
 
+// Return whether a variable has another name in its function.
+static bool has_alias(const struct loop *loop)
+{
+    const struct shader_function *const function = loop->builder->frame->function;
+    const uint32_t *const words = loop->builder->module->words;
+    shader_spend(loop->builder, function->end - function->word);
+    for (uint32_t word = function->word; word < function->end; word += words[word] >> 16) {
+        const uint32_t opcode = words[word] & 0xffff;
+        const bool makes_name = opcode == SPIRV_OP_CopyObject || opcode == SPIRV_OP_AccessChain ||
+                                opcode == SPIRV_OP_InBoundsAccessChain;
+        if (makes_name && words[word + 3] == loop->counter) {
+            return true;
+        }
+    }
+    return false;
+}
+
 // Return what a variable is set to in the continue block, or 0 where another instruction than this one changes it.
 static uint32_t stored_value(const struct loop *loop, uint32_t last)
 {
@@ -163,6 +183,9 @@ static bool counts_evenly(struct loop *loop)
         return false;
     }
     const bool is_phi = opcode_of(loop, loop->counter) == SPIRV_OP_Phi;
+    if (!is_phi && has_alias(loop)) {
+        return false;
+    }
     const uint32_t value = is_phi ? value_of_phi(loop) : stored_value(loop, last);
     return value != 0 && find_step(loop, value);
 }
@@ -189,7 +212,8 @@ static bool follows(const struct loop *loop, uint32_t id, int depth)
     default: return false;
     }
     const uint32_t first = opcode == SPIRV_OP_ExtInst ? 5 : 3;
-    for (uint32_t i = first; i < words[0] >> 16 && depth < MAX_DEPTH; i++) {
+    shader_spend(loop->builder, 1);
+    for (uint32_t i = first; i < words[0] >> 16 && i < first + 3 && depth < MAX_DEPTH; i++) {
         if (follows(loop, words[i], depth + 1)) {
             return true;
         }
@@ -219,6 +243,83 @@ static bool picks(const struct loop *loop)
         }
     }
     return false;
+}
+
+// The body -------------------------------------------------------------------------------------------
+
+// Return whether a label is one at which control flow may leave the blocks between header and merge block: only the
+// merge block itself is. Note where it is another one, or one before the test leaves.
+static bool stays(const struct loop *loop, uint32_t label, uint32_t word, bool *leaves_early)
+{
+    const uint32_t at = label < loop->builder->module->bound ? loop->builder->label_words[label] : 0;
+    if (label == loop->labels->merge) {
+        const uint32_t from = loop->labels->from;
+        const bool is_test =
+            word == loop->test || (from != UINT32_MAX && word == loop->builder->label_words[from] + 2);
+        *leaves_early = *leaves_early || !is_test;
+        return true;
+    }
+    return at >= loop->begin && at < loop->end;
+}
+
+// Return whether all blocks stand between header and merge block, to which control flow goes from them.
+static bool is_closed(const struct loop *loop, bool *leaves_early)
+{
+    const uint32_t *const words = loop->builder->module->words;
+    bool is_inside = true;
+    for (uint32_t word = loop->begin; word < loop->end && is_inside; word += words[word] >> 16) {
+        const uint32_t opcode = words[word] & 0xffff, count = words[word] >> 16;
+        const bool is_switch = opcode == SPIRV_OP_Switch;
+        const uint32_t end = opcode == SPIRV_OP_Branch ? 2 : opcode == SPIRV_OP_BranchConditional ? 4 : count;
+        if (opcode != SPIRV_OP_Branch && opcode != SPIRV_OP_BranchConditional && !is_switch) {
+            continue;
+        }
+        for (uint32_t i = opcode == SPIRV_OP_Branch ? 1 : 2; i < end; i += is_switch ? 2 : 1) {
+            is_inside = is_inside && stays(loop, words[word + i], word, leaves_early);
+        }
+    }
+    return is_inside;
+}
+
+// Return whether what stands behind the loop uses a value of its blocks, which lanes that left early have of another
+// round than others. What phis of the merge block take is set in the round in which a lane leaves.
+static bool is_read_behind(const struct loop *loop)
+{
+    const struct shader_module *const module = loop->builder->module;
+    const uint32_t *const words = module->words, end = loop->builder->frame->function->end;
+    uint32_t word = loop->end + 2;
+    shader_spend(loop->builder, end - loop->end);
+    while (word < end && (words[word] & 0xffff) == SPIRV_OP_Phi) {
+        word += words[word] >> 16;
+    }
+    for (; word < end; word += words[word] >> 16) {
+        for (uint32_t i = 1; i < words[word] >> 16; i++) {
+            const uint32_t id = words[word + i];
+            const uint32_t at = id < module->bound ? module->ids[id].word : 0;
+            if (at >= loop->begin && at < loop->end) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+// Return about how much the body is translated to: its words, and the numbers of values that they make or store. Bodies
+// of functions are too much.
+static uint64_t cost_of(const struct loop *loop)
+{
+    const struct shader_module *const module = loop->builder->module;
+    uint64_t cost = loop->end - loop->begin;
+    for (uint32_t word = loop->begin; word < loop->end; word += module->words[word] >> 16) {
+        const uint32_t *const words = module->words + word, count = words[0] >> 16;
+        if ((words[0] & 0xffff) == SPIRV_OP_FunctionCall) {
+            return MAX_WORDS;
+        }
+        const uint32_t id = (words[0] & 0xffff) == SPIRV_OP_Store ? words[2] : count > 2 ? words[2] : 0;
+        const uint32_t type = id < module->bound ? module->ids[id].type : 0;
+        cost += type != 0 ? shader_type_of_id(module, word, type)->scalars : 0;
+    }
+    return cost;
 }
 
 // The test -------------------------------------------------------------------------------------------
@@ -279,7 +380,7 @@ static bool compare(uint32_t opcode, uint32_t a, uint32_t b)
 }
 
 // Count the rounds in which the condition is not the one that leaves. Return false where there are too many.
-static bool count(struct loop *loop, uint32_t condition, bool leaves, uint32_t *rounds)
+static bool count(struct loop *loop, uint32_t condition, bool leaves, struct shader_rounds *rounds)
 {
     const uint32_t *words = instruction_of(loop, condition);
     uint32_t opcode = opcode_of(loop, condition), bound, value;
@@ -302,10 +403,11 @@ static bool count(struct loop *loop, uint32_t condition, bool leaves, uint32_t *
     if (known == SHADER_NO_VALUE || !shader_is_number(loop->builder, known, &value) || !counts_evenly(loop)) {
         return false;
     }
-    *rounds = 0;
+    *rounds = (struct shader_rounds){rounds->header, rounds->merge,  rounds->next,
+                                     .home = home,   .start = value, .step = loop->step};
     while (compare(opcode, is_second ? bound : value, is_second ? value : bound) != leaves) {
         value += loop->step;
-        if (++*rounds > MAX_ROUNDS) {
+        if (++rounds->count > MAX_ROUNDS) {
             return false;
         }
     }
@@ -322,20 +424,27 @@ bool shader_count_rounds(struct shader_builder *builder, struct shader_rounds *r
                         .labels = rounds,
                         .begin = builder->label_words[rounds->header],
                         .end = builder->label_words[rounds->merge]};
-    if (loop.end > builder->frame->function->end || loop.begin >= loop.end || !find_test(&loop)) {
+    if (loop.end > builder->frame->function->end || loop.begin >= loop.end) {
+        return false;
+    }
+    shader_spend(builder, loop.end - loop.begin);
+    if (!find_test(&loop)) {
         return false;
     }
     const uint32_t *const words = builder->module->words + loop.test;
     const uint32_t if_true = leaves_from(&loop, words[2]), if_false = leaves_from(&loop, words[3]);
-    if ((if_true == 0) == (if_false == 0) || !count(&loop, words[1], if_true != 0, &rounds->count)) {
+    if ((if_true == 0) == (if_false == 0) || !count(&loop, words[1], if_true != 0, rounds)) {
         return false;
     }
-    const uint64_t cost = (uint64_t)(loop.end - loop.begin) * (rounds->count + 1);
-    shader_spend(builder, loop.end - loop.begin);
-    if (cost > MAX_WORDS - builder->repeated || !picks(&loop)) {
+    rounds->from = if_true != 0 ? if_true : if_false;
+    bool leaves_early = false;
+    if (!picks(&loop) || !is_closed(&loop, &leaves_early) || (leaves_early && is_read_behind(&loop))) {
+        return false;
+    }
+    const uint64_t cost = cost_of(&loop) * (rounds->count + 1);
+    if (cost > MAX_WORDS - builder->repeated) {
         return false;
     }
     builder->repeated += (uint32_t)cost;
-    rounds->from = if_true != 0 ? if_true : if_false;
     return true;
 }

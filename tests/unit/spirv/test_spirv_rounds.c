@@ -48,7 +48,11 @@ static void model(int32_t given, int32_t result[RESULTS])
     for (int j = 0; j < 9; j += given % 3 == 1 ? 2 : 1) {
         skipped += numbers[j];
     }
-    result[5] = skipped;
+    int place = 0;
+    while (place < 9 && numbers[place] <= 30 * given) {
+        place++;
+    }
+    result[5] = skipped + 1000 * place;
     for (int j = 0; j < 100; j++) {
         large[j % 24] = j * given;
         many += large[(j * 5) % 24 <= j ? (j * 5) % 24 : j % 24];
