@@ -161,8 +161,8 @@ rhw_texture model_random_texture(rhw_context *context, enum rhw_format format, i
                 texels[i + c] = (unsigned char)rig_random(random);
             }
             for (size_t c = 0; has_halves && c < size / 2; c++) {
-                texels[i + 2 * c + 1] =
-                    (unsigned char)(rig_random_int(random, 0x44) | rig_random_int(random, 2) << 7);
+                const int sign = rig_random_int(random, 2) << 7;
+                texels[i + 2 * c + 1] = (unsigned char)(rig_random_int(random, 0x44) | sign);
             }
             for (size_t c = 0; format >= RHW_FORMAT_R32_FLOAT && c < size / 4; c++) {
                 const float value = rig_random_float(random, -4.0f, 4.0f);
