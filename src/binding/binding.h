@@ -55,6 +55,7 @@ struct rhw_binding_data {
     // others.
     bool shares_footprints;
     bool compares_windows; // the kernels' compare_window takes the texture and the sampler
+    uint32_t unused; // what 64 bits leave behind where they begin at multiples of 8, and is there everywhere
 };
 
 // A table of one is a table of the other.
