@@ -183,9 +183,6 @@ static bool counts_evenly(struct loop *loop)
         return false;
     }
     const bool is_phi = opcode_of(loop, loop->counter) == SPIRV_OP_Phi;
-    if (!is_phi && has_alias(loop)) {
-        return false;
-    }
     const uint32_t value = is_phi ? value_of_phi(loop) : stored_value(loop, last);
     return value != 0 && find_step(loop, value);
 }
@@ -247,8 +244,8 @@ static bool picks(const struct loop *loop)
 
 // The body -------------------------------------------------------------------------------------------
 
-// Return whether a label is one at which control flow may leave the blocks between header and merge block: only the
-// merge block itself is. Note where it is another one, or one before the test leaves.
+// Return whether a branch goes to a block between header and merge block, or to the merge block. Note one that goes
+// there and is not the test's.
 static bool stays(const struct loop *loop, uint32_t label, uint32_t word, bool *leaves_early)
 {
     const uint32_t at = label < loop->builder->module->bound ? loop->builder->label_words[label] : 0;
@@ -438,11 +435,12 @@ bool shader_count_rounds(struct shader_builder *builder, struct shader_rounds *r
     }
     rounds->from = if_true != 0 ? if_true : if_false;
     bool leaves_early = false;
-    if (!picks(&loop) || !is_closed(&loop, &leaves_early) || (leaves_early && is_read_behind(&loop))) {
+    if (!picks(&loop) || !is_closed(&loop, &leaves_early)) {
         return false;
     }
+    // What looks at all of the function comes last: few loops get here, since their words are counted.
     const uint64_t cost = cost_of(&loop) * (rounds->count + 1);
-    if (cost > MAX_WORDS - builder->repeated) {
+    if (cost > MAX_WORDS - builder->repeated || has_alias(&loop) || (leaves_early && is_read_behind(&loop))) {
         return false;
     }
     builder->repeated += (uint32_t)cost;

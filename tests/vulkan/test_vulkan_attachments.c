@@ -79,22 +79,6 @@ static VkRenderPass make_pass(struct rig *rig, const VkAttachmentDescription2 *a
     return pass;
 }
 
-static VkFramebuffer make_framebuffer(struct rig *rig, VkRenderPass pass, const VkImageView *views,
-                                      uint32_t count)
-{
-    const VkFramebufferCreateInfo info = {.sType = VK_STRUCTURE_TYPE_FRAMEBUFFER_CREATE_INFO,
-                                          .renderPass = pass,
-                                          .attachmentCount = count,
-                                          .pAttachments = views,
-                                          .width = SIDE,
-                                          .height = SIDE,
-                                          .layers = 1};
-    VkFramebuffer framebuffer;
-    CHECK(vkCreateFramebuffer(rig->device, &info, NULL, &framebuffer));
-    RIG_KEEP(rig, FRAMEBUFFER, framebuffer);
-    return framebuffer;
-}
-
 static void begin_pass(struct rig *rig, const void *next, VkRenderPass pass, VkFramebuffer framebuffer,
                        const VkClearValue *clears, uint32_t count)
 {
@@ -134,7 +118,7 @@ static void resolve_into(struct rig *rig, VkFormat from, VkFormat to, VkResolveM
         rig, attachments, 2, (VkSubpassDescription2){.pNext = &resolve, .pDepthStencilAttachment = &depth});
     const VkImageView views[2] = {many.view, one.view};
     const VkClearValue clears[2] = {{.depthStencil = {0.5f, 7}}, {.depthStencil = {0.25f, 9}}};
-    begin_pass(rig, NULL, pass, make_framebuffer(rig, pass, views, 2), clears, 2);
+    begin_pass(rig, NULL, pass, rig_framebuffer(rig, pass, views, 2, SIDE), clears, 2);
     vkCmdEndRenderPass(rig->commands);
     if (has_depth) {
         read[0] = read_aspect(rig, &one, aspects[0]);
@@ -175,7 +159,7 @@ static void a_rendering_resolves_one_aspect(void **state)
     const VkRenderPass pass =
         make_pass(&rig, &filled, 1, (VkSubpassDescription2){.pDepthStencilAttachment = &depth});
     const VkClearValue before = {.depthStencil = {0.25f, 9}}, after = {.depthStencil = {0.5f, 7}};
-    begin_pass(&rig, NULL, pass, make_framebuffer(&rig, pass, &one.view, 1), &before, 1);
+    begin_pass(&rig, NULL, pass, rig_framebuffer(&rig, pass, &one.view, 1, SIDE), &before, 1);
     vkCmdEndRenderPass(rig.commands);
     VkRenderingAttachmentInfo aspects[2];
     for (int i = 0; i < 2; i++) {
@@ -254,7 +238,7 @@ static void a_clear_of_what_is_not_there_does_nothing(void **state)
         .clearValue = {.depthStencil = {0.25f, 3}},
     };
     const VkClearRect all = {{{0, 0}, {SIDE, SIDE}}, 0, 1};
-    begin_pass(&rig, NULL, pass, make_framebuffer(&rig, pass, &image.view, 1), &far, 1);
+    begin_pass(&rig, NULL, pass, rig_framebuffer(&rig, pass, &image.view, 1, SIDE), &far, 1);
     vkCmdClearAttachments(rig.commands, 1, &near, 1, &all);
     vkCmdEndRenderPass(rig.commands);
     const struct rig_buffer read = read_aspect(&rig, &image, VK_IMAGE_ASPECT_DEPTH_BIT);
@@ -374,7 +358,7 @@ static void a_pass_has_any_number_of_attachments_and_inputs(void **state)
                                                                 .pInputAttachments = inputs,
                                                                 .colorAttachmentCount = 1,
                                                                 .pColorAttachments = &color});
-    begin_pass(&rig, NULL, pass, make_framebuffer(&rig, pass, views, COUNT), clears, COUNT);
+    begin_pass(&rig, NULL, pass, rig_framebuffer(&rig, pass, views, COUNT, SIDE), clears, COUNT);
     vkCmdEndRenderPass(rig.commands);
     const struct rig_buffer red = rig_read(&rig, &input, 4), green = rig_read(&rig, &last, 4);
     rig_run(&rig);
@@ -420,7 +404,7 @@ static void a_second_source_leaves_other_attachments(void **unused)
     const VkViewport viewport = {.width = SIDE, .height = SIDE, .maxDepth = 1};
     const VkRect2D area = {.extent = {SIDE, SIDE}};
     const float push[9] = {-1, -1, 1, 1, 0.2f, 0.4f, 0, 0, 0.5f};
-    begin_pass(&rig, NULL, pass, make_framebuffer(&rig, pass, views, 2), clears, 2);
+    begin_pass(&rig, NULL, pass, rig_framebuffer(&rig, pass, views, 2, SIDE), clears, 2);
     vkCmdSetViewport(rig.commands, 0, 1, &viewport);
     vkCmdSetScissor(rig.commands, 0, 1, &area);
     vkCmdBindPipeline(rig.commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline);
@@ -462,7 +446,7 @@ static void a_device_of_a_group_has_a_render_area(void **state)
                                                     .pDeviceRenderAreas = &left};
     const VkClearValue white = {.color = {.float32 = {1, 1, 1, 1}}};
     rig_write(&rig, &image, zeros, 4, VK_IMAGE_LAYOUT_GENERAL);
-    begin_pass(&rig, &group, pass, make_framebuffer(&rig, pass, &image.view, 1), &white, 1);
+    begin_pass(&rig, &group, pass, rig_framebuffer(&rig, pass, &image.view, 1, SIDE), &white, 1);
     vkCmdEndRenderPass(rig.commands);
     const struct rig_buffer read = rig_read(&rig, &image, 4);
     rig_run(&rig);
@@ -487,7 +471,7 @@ static void a_subpass_too_many_is_the_last_one(void **state)
     const VkClearAttachment black = {.aspectMask = VK_IMAGE_ASPECT_COLOR_BIT};
     const VkClearRect all = {{{0, 0}, {SIDE, SIDE}}, 0, 1};
     rig_write(&rig, &image, zeros, 4, VK_IMAGE_LAYOUT_GENERAL);
-    begin_pass(&rig, NULL, pass, make_framebuffer(&rig, pass, &image.view, 1), &white, 1);
+    begin_pass(&rig, NULL, pass, rig_framebuffer(&rig, pass, &image.view, 1, SIDE), &white, 1);
     for (int i = 0; i < 9; i++) {
         vkCmdNextSubpass(rig.commands, VK_SUBPASS_CONTENTS_INLINE);
     }
@@ -578,7 +562,7 @@ static void a_subpass_without_attachments_has_the_samples_of_its_pipelines(void 
     const VkClearRect all = {{{0, 0}, {SIDE, SIDE}}, 0, 1};
     const VkViewport viewport = {.width = SIDE, .height = SIDE, .maxDepth = 1};
     const float push[9] = {-1, -1, 1, 1, 0, 1, 0, 1, 0.5f};
-    begin_pass(&rig, NULL, pass, make_framebuffer(&rig, pass, NULL, 0), NULL, 0);
+    begin_pass(&rig, NULL, pass, rig_framebuffer(&rig, pass, NULL, 0, SIDE), NULL, 0);
     vkCmdClearAttachments(rig.commands, 1, &clear, 1, &all);
     vkCmdSetViewport(rig.commands, 0, 1, &viewport);
     vkCmdSetScissor(rig.commands, 0, 1, &all.rect);

@@ -21,16 +21,8 @@ static VkImage make_image(struct rig *rig, VkImageType type, VkFormat format, Vk
                                     .samples = VK_SAMPLE_COUNT_1_BIT,
                                     .usage = both};
     VkImage image;
-    VkDeviceMemory memory;
-    VkMemoryRequirements needs;
     CHECK(vkCreateImage(rig->device, &info, NULL, &image));
-    vkGetImageMemoryRequirements(rig->device, image, &needs);
-    const VkMemoryAllocateInfo memory_info = {.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO,
-                                              .allocationSize = needs.size};
-    CHECK(vkAllocateMemory(rig->device, &memory_info, NULL, &memory));
-    RIG_KEEP(rig, DEVICE_MEMORY, memory);
-    RIG_KEEP(rig, IMAGE, image);
-    CHECK(vkBindImageMemory(rig->device, image, memory, 0));
+    rig_back(rig, image);
     return image;
 }
 

@@ -80,16 +80,7 @@ static void a_subpass_reads_what_the_one_before_drew(void **unused)
     picture_state(&state, &picture, quad, rig_shader(&rig, invert_frag, sizeof invert_frag), layout);
     VkPipeline inverts = picture_pipeline(&picture, &state, pass, 1);
     const VkImageView views[2] = {first.view, picture.color.view};
-    const VkFramebufferCreateInfo info = {.sType = VK_STRUCTURE_TYPE_FRAMEBUFFER_CREATE_INFO,
-                                          .renderPass = pass,
-                                          .attachmentCount = 2,
-                                          .pAttachments = views,
-                                          .width = PICTURE_SIZE,
-                                          .height = PICTURE_SIZE,
-                                          .layers = 1};
-    VkFramebuffer framebuffer;
-    CHECK(vkCreateFramebuffer(rig.device, &info, NULL, &framebuffer));
-    RIG_KEEP(&rig, FRAMEBUFFER, framebuffer);
+    VkFramebuffer framebuffer = rig_framebuffer(&rig, pass, views, 2, PICTURE_SIZE);
     picture.pass = pass;
     picture.framebuffer = framebuffer;
     picture_begin(&picture);
@@ -167,15 +158,7 @@ static void a_barrier_shows_what_the_subpass_drew(void **unused)
                   VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_INPUT_ATTACHMENT_BIT |
                       VK_IMAGE_USAGE_TRANSFER_SRC_BIT);
     picture.pass = make_feedback_pass(&rig);
-    const VkFramebufferCreateInfo info = {.sType = VK_STRUCTURE_TYPE_FRAMEBUFFER_CREATE_INFO,
-                                          .renderPass = picture.pass,
-                                          .attachmentCount = 1,
-                                          .pAttachments = &picture.color.view,
-                                          .width = PICTURE_SIZE,
-                                          .height = PICTURE_SIZE,
-                                          .layers = 1};
-    CHECK(vkCreateFramebuffer(rig.device, &info, NULL, &picture.framebuffer));
-    RIG_KEEP(&rig, FRAMEBUFFER, picture.framebuffer);
+    picture.framebuffer = rig_framebuffer(&rig, picture.pass, &picture.color.view, 1, PICTURE_SIZE);
     VkDescriptorSetLayout set_layout = rig_set_layout(&rig, &binding, 1);
     VkPipelineLayout layout = rig_layout(&rig, &set_layout, 1, 36);
     VkDescriptorSet set = rig_set(&rig, set_layout);
@@ -240,15 +223,7 @@ static void every_view_is_drawn_with_its_number(void **unused)
     static const uint32_t texels[3 * PICTURE_TEXELS] = {0};
     rig_write(&rig, &image, texels, 4, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL);
     picture.pass = make_view_pass(&rig);
-    const VkFramebufferCreateInfo info = {.sType = VK_STRUCTURE_TYPE_FRAMEBUFFER_CREATE_INFO,
-                                          .renderPass = picture.pass,
-                                          .attachmentCount = 1,
-                                          .pAttachments = &image.view,
-                                          .width = PICTURE_SIZE,
-                                          .height = PICTURE_SIZE,
-                                          .layers = 1};
-    CHECK(vkCreateFramebuffer(rig.device, &info, NULL, &picture.framebuffer));
-    RIG_KEEP(&rig, FRAMEBUFFER, picture.framebuffer);
+    picture.framebuffer = rig_framebuffer(&rig, picture.pass, &image.view, 1, PICTURE_SIZE);
     picture_state(&state, &picture, rig_shader(&rig, views_vert, sizeof views_vert),
                   rig_shader(&rig, shade_frag, sizeof shade_frag), rig_layout(&rig, NULL, 0, 0));
     VkPipeline pipeline = picture_pipeline(&picture, &state, picture.pass, 0);
@@ -336,15 +311,7 @@ static void every_view_reads_its_own_layer(void **unused)
     rig_write(&rig, &given, texels, 4, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
     picture.pass = make_view_reading_pass(&rig);
     const VkImageView views[2] = {given.view, image.view};
-    const VkFramebufferCreateInfo info = {.sType = VK_STRUCTURE_TYPE_FRAMEBUFFER_CREATE_INFO,
-                                          .renderPass = picture.pass,
-                                          .attachmentCount = 2,
-                                          .pAttachments = views,
-                                          .width = PICTURE_SIZE,
-                                          .height = PICTURE_SIZE,
-                                          .layers = 1};
-    CHECK(vkCreateFramebuffer(rig.device, &info, NULL, &picture.framebuffer));
-    RIG_KEEP(&rig, FRAMEBUFFER, picture.framebuffer);
+    picture.framebuffer = rig_framebuffer(&rig, picture.pass, views, 2, PICTURE_SIZE);
     VkDescriptorSetLayout set_layout = rig_set_layout(&rig, &binding, 1);
     VkPipelineLayout layout = rig_layout(&rig, &set_layout, 1, 36);
     VkDescriptorSet set = rig_set(&rig, set_layout);

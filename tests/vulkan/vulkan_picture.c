@@ -66,15 +66,8 @@ void picture_init(struct picture *picture, struct rig *rig, bool has_depth, VkSa
     create_pass(picture);
     const VkImageView views[] = {
         [COLOR] = picture->color.view, [DEPTH] = picture->depth.view, [SAMPLES] = picture->samples.view};
-    const VkFramebufferCreateInfo info = {.sType = VK_STRUCTURE_TYPE_FRAMEBUFFER_CREATE_INFO,
-                                          .renderPass = picture->pass,
-                                          .attachmentCount = samples != VK_SAMPLE_COUNT_1_BIT ? 3 : 2,
-                                          .pAttachments = views,
-                                          .width = PICTURE_SIZE,
-                                          .height = PICTURE_SIZE,
-                                          .layers = 1};
-    CHECK(vkCreateFramebuffer(rig->device, &info, NULL, &picture->framebuffer));
-    RIG_KEEP(rig, FRAMEBUFFER, picture->framebuffer);
+    picture->framebuffer =
+        rig_framebuffer(rig, picture->pass, views, samples != VK_SAMPLE_COUNT_1_BIT ? 3 : 2, PICTURE_SIZE);
 }
 
 void picture_begin(struct picture *picture)

@@ -233,18 +233,39 @@ static VkImageAspectFlags aspect_of(VkFormat format)
                : VK_IMAGE_ASPECT_COLOR_BIT;
 }
 
+void rig_back(struct rig *rig, VkImage image)
+{
+    VkMemoryRequirements needs;
+    vkGetImageMemoryRequirements(rig->device, image, &needs);
+    VkDeviceMemory memory = allocate(rig, &needs, false);
+    RIG_KEEP(rig, IMAGE, image);
+    CHECK(vkBindImageMemory(rig->device, image, memory, 0));
+}
+
+VkFramebuffer rig_framebuffer(struct rig *rig, VkRenderPass pass, const VkImageView *views, uint32_t count,
+                              uint32_t size)
+{
+    const VkFramebufferCreateInfo info = {.sType = VK_STRUCTURE_TYPE_FRAMEBUFFER_CREATE_INFO,
+                                          .renderPass = pass,
+                                          .attachmentCount = count,
+                                          .pAttachments = views,
+                                          .width = size,
+                                          .height = size,
+                                          .layers = 1};
+    VkFramebuffer framebuffer;
+    CHECK(vkCreateFramebuffer(rig->device, &info, NULL, &framebuffer));
+    RIG_KEEP(rig, FRAMEBUFFER, framebuffer);
+    return framebuffer;
+}
+
 static struct rig_image make_image(struct rig *rig, const VkImageCreateInfo *info, VkImageViewType type)
 {
     struct rig_image made = {.format = info->format,
                              .width = info->extent.width,
                              .height = info->extent.height,
                              .layers = info->arrayLayers};
-    VkMemoryRequirements needs;
     CHECK(vkCreateImage(rig->device, info, NULL, &made.image));
-    vkGetImageMemoryRequirements(rig->device, made.image, &needs);
-    VkDeviceMemory memory = allocate(rig, &needs, false);
-    RIG_KEEP(rig, IMAGE, made.image);
-    CHECK(vkBindImageMemory(rig->device, made.image, memory, 0));
+    rig_back(rig, made.image);
     const VkImageViewCreateInfo view = {.sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO,
                                         .image = made.image,
                                         .viewType = type,

@@ -62,6 +62,13 @@ struct rig_image rig_image(struct rig *rig, VkFormat format, uint32_t width, uin
 struct rig_image rig_layers(struct rig *rig, VkFormat format, uint32_t width, uint32_t height,
                             uint32_t layers, VkImageUsageFlags usage);
 
+// Give an image memory of its own, and destroy both with the rig.
+void rig_back(struct rig *rig, VkImage image);
+
+// Create a framebuffer of views.
+VkFramebuffer rig_framebuffer(struct rig *rig, VkRenderPass pass, const VkImageView *views, uint32_t count,
+                              uint32_t size);
+
 // Let an image go from one layout to another.
 void rig_barrier(struct rig *rig, const struct rig_image *image, VkImageLayout from, VkImageLayout to);
 

@@ -44,9 +44,12 @@ static const double pi = 3.14159265358979324;
 
 // Return the colours of a mesh's vertices. Return NULL if there are none: assimp gives all meshes of an AMF some, of
 // which nothing is set where the file has no colours.
-static const struct aiColor4D *colors_of(const struct aiMesh *mesh)
+static const struct aiColor4D *colors_of(const struct scene_import *import, const struct aiMesh *mesh)
 {
     const struct aiColor4D *const colors = mesh->mColors[0];
+    if (strcasecmp(import->ending, "amf") != 0) {
+        return colors;
+    }
     for (unsigned i = 0; colors != NULL && i < mesh->mNumVertices; i++) {
         const struct aiColor4D *const c = &colors[i];
         if (!(c->r == 0 && c->g == 0 && c->b == 0 && c->a == 0)) {
@@ -58,7 +61,7 @@ static const struct aiColor4D *colors_of(const struct aiMesh *mesh)
 
 static uint32_t material_of(struct reader *reader, const struct aiMesh *mesh)
 {
-    const bool colored = colors_of(mesh) != NULL;
+    const bool colored = colors_of(reader->import, mesh) != NULL;
     if (mesh->mMaterialIndex >= reader->scene->mNumMaterials) {
         scene_import_fail(reader->import, "a mesh refers to a material that does not exist");
     }
@@ -210,7 +213,7 @@ static void add_mesh(struct reader *reader, uint32_t index)
     mesh.normals = copy_vectors(import, source->mNormals, count);
     mesh.uvs[0] = copy_uvs(import, source->mTextureCoords[0], count);
     mesh.uvs[1] = copy_uvs(import, source->mTextureCoords[1], count);
-    mesh.colors = copy_colors(import, colors_of(source), count);
+    mesh.colors = copy_colors(import, colors_of(import, source), count);
     fix_alpha(import, &mesh);
     tell_of_third(import, source);
     if (source->mColors[1] != NULL) {
