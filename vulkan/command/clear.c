@@ -142,7 +142,7 @@ static void replay_attachment(struct vulkan_replay *replay, const struct vulkan_
     clear.rect_count = 1;
     clear.layer = (int)one->rect.baseArrayLayer;
     clear.layer_count = (int)one->rect.layerCount;
-    if (rect.width > 0 && rect.height > 0) {
+    if (rect.width > 0 && rect.height > 0 && clear.layer_count > 0) {
         rhw_pass_clear_attachments(replay->context, pass->pass, &clear);
     }
 }

@@ -6,7 +6,34 @@
 
 // Telling --------------------------------------------------------------------------------------------
 
-// Create the pipeline of librhw for the view that is drawn, if it is not there. Return NULL if that fails.
+// Return whether the pipeline that was created for a variant draws into the targets of the pass.
+static bool is_for_pass(const struct vulkan_variant *variant, bool fits, const struct vulkan_targets *targets)
+{
+    return variant->is_adapted ? !fits && vulkan_targets_are_equal(&variant->targets, targets) : fits;
+}
+
+// Create the pipeline of librhw for a view and the targets of the pass. Return false if that fails.
+static bool create_pipeline(struct vulkan_replay *replay, VkPipeline pipeline, uint32_t view, bool fits)
+{
+    struct vulkan_variant *const variant = &pipeline->variants[view];
+    struct rhw_pipeline_def def;
+    vulkan_pipeline_definition(pipeline, view, &def);
+    if (!fits) {
+        vulkan_targets_adapt(&replay->pass.targets, &def);
+    }
+    const enum rhw_result result = rhw_pipeline_create(replay->context, &def, &variant->pipeline);
+    variant->is_adapted = !fits;
+    variant->targets = replay->pass.targets;
+    if (vulkan_replay_check(replay, result, "a graphics pipeline")) {
+        return true;
+    }
+    if (fits) { // it could be made when it was checked
+        replay->result = VK_ERROR_DEVICE_LOST;
+    }
+    return false;
+}
+
+// Create the pipeline of librhw for the pass that is open, if it is not there. Return NULL if that fails.
 static const rhw_pipeline *find_pipeline(struct vulkan_replay *replay, VkPipeline pipeline)
 {
     const uint32_t view = pipeline->variant_count > 1 ? replay->pass.view_index : 0;
@@ -14,16 +41,25 @@ static const rhw_pipeline *find_pipeline(struct vulkan_replay *replay, VkPipelin
     if (!variant || !variant->program) {
         return NULL; // a render pass with other views, which Vulkan forbids
     }
-    if (variant->pipeline.generation == 0) {
-        struct rhw_pipeline_def def;
-        vulkan_pipeline_definition(pipeline, view, &def);
-        if (!vulkan_replay_check(replay, rhw_pipeline_create(replay->context, &def, &variant->pipeline),
-                                 "a graphics pipeline")) {
-            replay->result = VK_ERROR_DEVICE_LOST;
-            return NULL;
-        }
+    const struct vulkan_targets *const targets = &replay->pass.targets;
+    const bool fits = vulkan_targets_fit(targets, &pipeline->def);
+    if (variant->pipeline.generation != 0 && !is_for_pass(variant, fits, targets)) {
+        rhw_pipeline_destroy(replay->context, variant->pipeline);
+        variant->pipeline = (rhw_pipeline){0};
     }
-    return &variant->pipeline;
+    const bool is_there = variant->pipeline.generation != 0 || create_pipeline(replay, pipeline, view, fits);
+    return is_there ? &variant->pipeline : NULL;
+}
+
+// Tell the pass of the pipeline. Return false if there is none for it.
+static bool tell_pipeline(struct vulkan_replay *replay, VkPipeline pipeline)
+{
+    const rhw_pipeline *const id = find_pipeline(replay, pipeline);
+    if (id) {
+        rhw_pass_set_pipeline(replay->context, replay->pass.pass, *id);
+        replay->bound.news &= ~(uint32_t)VULKAN_NEWS_PIPELINE;
+    }
+    return id;
 }
 
 static void tell_dynamic(struct vulkan_replay *replay, VkPipeline pipeline, bool is_new)
@@ -100,8 +136,7 @@ static bool begin_draw(struct vulkan_replay *replay, bool is_indexed)
 {
     struct vulkan_bound *const bound = &replay->bound;
     VkPipeline pipeline = bound->graphics.pipeline;
-    const rhw_pipeline *const id = pipeline ? find_pipeline(replay, pipeline) : NULL;
-    if (!id || !vulkan_pass_open(replay, pipeline->samples)) {
+    if (!pipeline || !vulkan_pass_open(replay, pipeline->samples)) {
         return false;
     }
     if (!bound->is_told) {
@@ -110,9 +145,8 @@ static bool begin_draw(struct vulkan_replay *replay, bool is_indexed)
         bound->news_sets = bound->news_vertices = ~0u;
     }
     const bool is_new = bound->news & VULKAN_NEWS_PIPELINE;
-    if (is_new) {
-        rhw_pass_set_pipeline(replay->context, replay->pass.pass, *id);
-        bound->news &= ~(uint32_t)VULKAN_NEWS_PIPELINE;
+    if (is_new && !tell_pipeline(replay, pipeline)) {
+        return false;
     }
     tell_dynamic(replay, pipeline, is_new);
     tell_vertices(replay, pipeline);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // From a subpass to a pass of librhw. What is not loaded is cleared to 0, so that pictures are the same everywhere.
 #include "clear_value.h"
+#include "pass_fit.h"
 #include "query.h"
 #include "replay.h"
 #include "resource/format.h"
@@ -48,12 +49,6 @@ static enum rhw_store store_of(const struct vulkan_pass_state *pass, uint32_t at
     return is_last && store == VK_ATTACHMENT_STORE_OP_DONT_CARE ? RHW_STORE_DISCARD : RHW_STORE_STORE;
 }
 
-// Return the layers that the pass draws into at once. Views are drawn one by one.
-static int layer_count(const struct vulkan_pass_state *pass)
-{
-    return pass->subpass->view_mask ? 1 : (int)pass->layers;
-}
-
 static void set_color(struct vulkan_replay *replay, uint32_t i, struct rhw_color_attachment *color)
 {
     const struct vulkan_pass_state *const pass = &replay->pass;
@@ -67,7 +62,6 @@ static void set_color(struct vulkan_replay *replay, uint32_t i, struct rhw_color
     color->load = load_of(pass, number, attachment->load);
     color->store = store_of(pass, number, attachment->store);
     color->layer = (int)pass->view_index;
-    color->layer_count = layer_count(pass);
     if (attachment->load == VK_ATTACHMENT_LOAD_OP_CLEAR) {
         vulkan_clear_color(pass->views[number]->format, &pass->clears[number].color, color->clear,
                            color->clear_integer);
@@ -142,7 +136,6 @@ static void set_depth(struct vulkan_replay *replay, struct rhw_depth_attachment 
     depth->stencil_load = load_of(pass, subpass->depth, attachment->stencil_load);
     depth->stencil_store = store_of(pass, subpass->depth, attachment->stencil_store);
     depth->layer = (int)pass->view_index;
-    depth->layer_count = layer_count(pass);
     if (attachment->load == VK_ATTACHMENT_LOAD_OP_CLEAR) {
         depth->clear = vulkan_clear_depth(pass->clears[subpass->depth].depthStencil.depth);
     }
@@ -175,25 +168,39 @@ static void note_all_loaded(struct vulkan_pass_state *pass)
     note_loaded(pass, subpass->depth_resolve);
 }
 
-static struct rhw_pass_def definition(struct vulkan_replay *replay, uint32_t samples)
+// Describe the pass of librhw. Return false if there is nothing to draw into.
+static bool define(struct vulkan_replay *replay, struct rhw_pass_def *def)
 {
     const struct vulkan_pass_state *const pass = &replay->pass;
-    struct rhw_pass_def def = {
-        .width = (int)pass->width,
-        .height = (int)pass->height,
-        .samples = (int)samples,
+    *def = (struct rhw_pass_def){
+        .samples = (int)pass->samples,
         .render_area = {pass->area.offset.x, pass->area.offset.y, (int)pass->area.extent.width,
                         (int)pass->area.extent.height},
     };
     for (uint32_t i = 0; i < pass->subpass->color_count; i++) {
-        set_color(replay, i, &def.colors[i]);
-        if (def.colors[i].texture.context != 0) {
-            def.color_count = (int)i + 1; // attachments left out at the end do not count
-        }
+        set_color(replay, i, &def->colors[i]);
     }
-    set_depth(replay, &def.depth);
-    def.layers = def.color_count > 0 || def.depth.enabled ? 0 : layer_count(pass);
-    return def;
+    set_depth(replay, &def->depth);
+    return replay->result == VK_SUCCESS && vulkan_pass_fit(pass, def);
+}
+
+// Return what pipelines draw into.
+static struct vulkan_targets targets_of(const struct vulkan_pass_state *pass, const struct rhw_pass_def *def)
+{
+    struct vulkan_targets targets = {.count = def->color_count};
+    for (int i = 0; i < def->color_count; i++) {
+        const bool is_there = def->colors[i].texture.context != 0;
+        targets.formats[i] = is_there ? pass->views[pass->subpass->colors[i]]->format : RHW_FORMAT_NONE;
+    }
+    if (def->depth.enabled) {
+        const VkImageAspectFlags aspects =
+            vulkan_format_aspects(pass->views[pass->subpass->depth]->image->vulkan_format);
+        targets.has_depth = aspects & VK_IMAGE_ASPECT_DEPTH_BIT;
+        targets.has_stencil = aspects & VK_IMAGE_ASPECT_STENCIL_BIT;
+        targets.keeps_depth = def->depth.read_only;
+        targets.keeps_stencil = def->depth.stencil_read_only;
+    }
+    return targets;
 }
 
 bool vulkan_pass_open(struct vulkan_replay *replay, uint32_t samples)
@@ -204,13 +211,14 @@ bool vulkan_pass_open(struct vulkan_replay *replay, uint32_t samples)
     }
     const uint32_t own = pass->subpass->samples;
     pass->samples = own != 0 ? own : samples != 0 ? samples : 1;
-    const struct rhw_pass_def def = definition(replay, pass->samples);
-    if (replay->result != VK_SUCCESS) {
+    struct rhw_pass_def def;
+    if (!define(replay, &def)) {
         return false;
     }
     pass->is_open =
         vulkan_replay_check(replay, rhw_pass_begin(replay->context, &def, &pass->pass), "render pass");
     if (pass->is_open) {
+        pass->targets = targets_of(pass, &def);
         note_all_loaded(pass);
         pass->has_drawn = true;
         replay->bound.is_told = false;

@@ -5,6 +5,7 @@
 #define VULKAN_PASS_STATE_H
 
 #include "pass/render_pass.h"
+#include "pipeline/pipeline_targets.h"
 #include "resource/image_view.h"
 
 // A command in its chunk.
@@ -30,6 +31,7 @@ struct vulkan_pass_state {
     struct vulkan_replay_place begin; ///< begin of the subpass
     bool is_open;                     ///< `pass` is a pass of librhw
     rhw_pass pass;
+    struct vulkan_targets targets; ///< what it draws into
 };
 
 // Open the pass of librhw for a draw whose pipeline has `samples` samples, if it is not open. Return false if that

@@ -6,6 +6,7 @@
 
 #include "dynamic_state.h"
 #include "pipeline_layout.h"
+#include "pipeline_targets.h"
 
 // Bindings of a set that the shaders of a pipeline use.
 struct vulkan_used_binding {
@@ -18,6 +19,8 @@ struct vulkan_variant {
 
     // The queue's thread has this.
     rhw_pipeline pipeline; ///< null id until a draw needs it
+    bool is_adapted;       ///< the definition does not fit `targets`, and was adapted to them
+    struct vulkan_targets targets;
 };
 
 struct VkPipeline_T {

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: MIT
+// Passes and pipelines that do not agree, which Vulkan forbids and other drivers draw.
+#include <stdlib.h>
+
+#include "quad_vert.h"
+#include "shade_frag.h"
+#include "vulkan_pass.h"
+#include "vulkan_picture.h"
+
+static const uint32_t green = 0xff00ff00, none = 0; // texels as they stand in memory
+
+// A pass that is described, one attachment after the other, and a pipeline for another pass.
+struct misuse {
+    struct rig rig;
+    struct picture picture; // whose state the pipelines begin with
+    struct picture_state state;
+    struct rig_image images[3];
+    VkAttachmentDescription2 attachments[3];
+    VkAttachmentReference2 references[3];
+    uint32_t count;
+};
+
+static void begin_misuse(struct misuse *m)
+{
+    *m = (struct misuse){.count = 0};
+    rig_open(&m->rig);
+    m->picture = (struct picture){.rig = &m->rig, .sample_count = VK_SAMPLE_COUNT_1_BIT};
+    picture_state(&m->state, &m->picture, rig_shader(&m->rig, quad_vert, sizeof quad_vert),
+                  rig_shader(&m->rig, shade_frag, sizeof shade_frag), rig_layout(&m->rig, NULL, 0, 36));
+}
+
+static void add_attachment(struct misuse *m, struct rig_image image, VkImageLayout layout)
+{
+    const uint32_t i = m->count++;
+    const bool is_color = image.format == VK_FORMAT_R8G8B8A8_UNORM;
+    m->images[i] = image;
+    m->attachments[i] =
+        pass_attachment(image.format, VK_SAMPLE_COUNT_1_BIT, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL);
+    m->references[i] =
+        pass_reference(i, layout, is_color ? VK_IMAGE_ASPECT_COLOR_BIT : VK_IMAGE_ASPECT_DEPTH_BIT);
+}
+
+static void add_color(struct misuse *m)
+{
+    add_attachment(m, pass_image(&m->rig, VK_FORMAT_R8G8B8A8_UNORM, VK_SAMPLE_COUNT_1_BIT),
+                   VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL);
+}
+
+static void add_depth(struct misuse *m, VkImageLayout layout)
+{
+    add_attachment(m, pass_image(&m->rig, VK_FORMAT_D32_SFLOAT, VK_SAMPLE_COUNT_1_BIT), layout);
+}
+
+// Create a pass of the first `colors` attachments, and of the next one as depth where there is one.
+static VkRenderPass create_pass(struct misuse *m, uint32_t colors)
+{
+    return pass_create(&m->rig, m->attachments, m->count,
+                       (VkSubpassDescription2){.colorAttachmentCount = colors,
+                                               .pColorAttachments = m->references,
+                                               .pDepthStencilAttachment =
+                                                   colors < m->count ? &m->references[colors] : NULL});
+}
+
+// Draw a green quad at a depth of 0.5 into a pass that cleared colours to 0 and depth to 1, and run. The buffers have
+// what the attachments became.
+static void draw(struct misuse *m, VkRenderPass pass, VkPipeline pipeline, uint32_t side,
+                 struct rig_buffer read[3])
+{
+    struct rig *const rig = &m->rig;
+    VkImageView views[3];
+    VkClearValue clears[3] = {0};
+    for (uint32_t i = 0; i < m->count; i++) {
+        views[i] = m->images[i].view;
+        clears[i].depthStencil.depth = m->images[i].format == VK_FORMAT_D32_SFLOAT ? 1 : 0;
+    }
+    const VkRenderPassBeginInfo begin = {.sType = VK_STRUCTURE_TYPE_RENDER_PASS_BEGIN_INFO,
+                                         .renderPass = pass,
+                                         .framebuffer = rig_framebuffer(rig, pass, views, m->count, side),
+                                         .renderArea = {.extent = {2 * side, side}},
+                                         .clearValueCount = m->count,
+                                         .pClearValues = clears};
+    const VkViewport viewport = {.width = PASS_SIDE, .height = PASS_SIDE, .maxDepth = 1};
+    const VkRect2D all = {.extent = {PASS_SIDE, PASS_SIDE}};
+    const float push[9] = {-1, -1, 1, 1, 0, 1, 0, 1, 0.5f};
+    vkCmdBeginRenderPass(rig->commands, &begin, VK_SUBPASS_CONTENTS_INLINE);
+    vkCmdSetViewport(rig->commands, 0, 1, &viewport);
+    vkCmdSetScissor(rig->commands, 0, 1, &all);
+    vkCmdBindPipeline(rig->commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline);
+    vkCmdPushConstants(rig->commands, m->state.layout, VK_SHADER_STAGE_ALL, 0, sizeof push, push);
+    vkCmdDraw(rig->commands, 6, 1, 0, 0);
+    vkCmdEndRenderPass(rig->commands);
+    for (uint32_t i = 0; i < m->count; i++) {
+        read[i] = rig_read(rig, &m->images[i], 4);
+    }
+    rig_run(rig);
+}
+
+static void expect_colors(const struct rig_buffer *buffer, uint32_t color)
+{
+    for (int i = 0; i < PASS_TEXELS; i++) {
+        assert_int_equal(((const uint32_t *)buffer->bytes)[i], color);
+    }
+}
+
+static bool is_validated(void)
+{
+    return getenv("RHW_TEST_VALIDATION") != NULL; // the layer tells the misuse
+}
+
+// The framebuffer is larger than what is attached, and the render area larger than the framebuffer.
+static void a_pass_is_as_large_as_its_attachments(void **state)
+{
+    (void)state;
+    if (is_validated()) {
+        skip();
+    }
+    struct misuse m;
+    struct rig_buffer read[3];
+    begin_misuse(&m);
+    add_color(&m);
+    const VkRenderPass pass = create_pass(&m, 1);
+    draw(&m, pass, picture_pipeline(&m.picture, &m.state, pass, 0), 3 * PASS_SIDE, read);
+    expect_colors(&read[0], green);
+    rig_close(&m.rig);
+}
+
+static void an_image_is_attached_once(void **state)
+{
+    (void)state;
+    if (is_validated()) {
+        skip();
+    }
+    struct misuse m;
+    struct rig_buffer read[3];
+    begin_misuse(&m);
+    add_color(&m);
+    add_attachment(&m, m.images[0], VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL);
+    m.state.blends.attachmentCount = 2;
+    const VkRenderPass pass = create_pass(&m, 2);
+    draw(&m, pass, picture_pipeline(&m.picture, &m.state, pass, 0), PASS_SIDE, read);
+    expect_colors(&read[0], green);
+    rig_close(&m.rig);
+}
+
+// Draw with one pipeline into passes of more and of fewer colours than it is made for, in turns.
+static void a_pipeline_draws_into_the_colors_that_are_there(void **state)
+{
+    (void)state;
+    if (is_validated()) {
+        skip();
+    }
+    struct misuse m;
+    struct rig_buffer read[3];
+    begin_misuse(&m);
+    m.state.blend[1].colorWriteMask = 15;
+    for (uint32_t i = 0; i < 3; i++) {
+        add_color(&m);
+    }
+    const VkRenderPass three = create_pass(&m, 3);
+    m.count = 2;
+    m.state.blends.attachmentCount = 2;
+    const VkRenderPass two = create_pass(&m, 2);
+    VkPipeline pipeline = picture_pipeline(&m.picture, &m.state, two, 0);
+    m.count = 1;
+    const VkRenderPass one = create_pass(&m, 1);
+    for (int round = 0; round < 2; round++) {
+        m.count = 1;
+        draw(&m, one, pipeline, PASS_SIDE, read);
+        expect_colors(&read[0], green);
+        m.count = 3;
+        draw(&m, three, pipeline, PASS_SIDE, read);
+        expect_colors(&read[0], green);
+        expect_colors(&read[2], none);
+        m.count = 2;
+        draw(&m, two, pipeline, PASS_SIDE, read);
+        expect_colors(&read[0], green);
+    }
+    rig_close(&m.rig);
+}
+
+// Return what colour a pipeline with a test of depth that passes draws where the pass has depth in a layout, or none if
+// that is UNDEFINED.
+static uint32_t draw_with_depth(VkImageLayout layout, VkImageLayout drawn)
+{
+    struct misuse m;
+    struct rig_buffer read[3];
+    begin_misuse(&m);
+    m.state.depth.depthTestEnable = m.state.depth.depthWriteEnable = VK_TRUE;
+    m.state.depth.depthCompareOp = VK_COMPARE_OP_GREATER;
+    add_color(&m);
+    add_depth(&m, layout);
+    VkPipeline pipeline = picture_pipeline(&m.picture, &m.state, create_pass(&m, 1), 0);
+    m.count = drawn == VK_IMAGE_LAYOUT_UNDEFINED ? 1 : 2;
+    m.references[1].layout = drawn;
+    m.attachments[1].loadOp = VK_ATTACHMENT_LOAD_OP_LOAD;
+    draw(&m, create_pass(&m, 1), pipeline, PASS_SIDE, read);
+    const uint32_t color = *(const uint32_t *)read[0].bytes;
+    const float depth = m.count > 1 ? *(const float *)read[1].bytes : 0;
+    assert_true(depth == 0); // new memory, which nothing was to write
+    rig_close(&m.rig);
+    return color;
+}
+
+static void a_pipeline_writes_no_depth_that_is_not_to_be_written(void **state)
+{
+    (void)state;
+    if (is_validated()) {
+        skip();
+    }
+    const VkImageLayout written = VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL;
+    assert_int_equal(draw_with_depth(written, VK_IMAGE_LAYOUT_UNDEFINED), green);
+    assert_int_equal(draw_with_depth(written, VK_IMAGE_LAYOUT_DEPTH_STENCIL_READ_ONLY_OPTIMAL), green);
+}
+
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(a_pass_is_as_large_as_its_attachments),
+    cmocka_unit_test(an_image_is_attached_once),
+    cmocka_unit_test(a_pipeline_draws_into_the_colors_that_are_there),
+    cmocka_unit_test(a_pipeline_writes_no_depth_that_is_not_to_be_written),
+};
+
+const struct unit_tests test_vulkan_misuse = UNIT_TESTS(tests, NULL, NULL);
