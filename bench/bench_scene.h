@@ -100,7 +100,7 @@ enum bench_shader {
     BENCH_SHADER_COORD_SLOPES, // both
     BENCH_SHADER_DISCARD,      // a fragment whose first component is below the cutoff is discarded
     BENCH_SHADER_MOVE,         // the fourth component, times that of `color`, is the fragment's depth
-    BENCH_SHADER_MANY,         // the colour is the sum of 16 varyings of four components, each a part of it
+    BENCH_SHADER_MANY,         // 16 varyings of four components, parts of the colour, are squared and added
     BENCH_SHADER_SAMPLE,       // the colour is interpolated at every sample
     BENCH_SHADER_INPUT,        // the colour is weighed by its fourth component, and what is there by the rest
     // Those that read what earlier passes drew, shaders_lanes_passes.c. All but the last draw bodies.

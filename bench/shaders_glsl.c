@@ -178,10 +178,10 @@ static const struct {
                        "void main() { target = varying_color; gl_FragDepth = varying_color.a * u[9].a; }\n"},
     [BENCH_SHADER_MANY] = {"VARYING(0) vec4 parts[16];\n"
                            "void main() { to_clip();\n"
-                           "for (int i = 0; i < 16; i++) parts[i] = color * ((float(i) + 0.5) / 128.0); }\n",
+                           "for (int i = 0; i < 16; i++) parts[i] = color * ((float(i) + 0.5) / 37.0); }\n",
                            "VARYING(0) vec4 parts[16];\n"
-                           "void main() { vec4 sum = parts[0];\n"
-                           "for (int i = 1; i < 16; i++) sum += parts[i];\n"
+                           "void main() { vec4 sum = parts[0] * parts[0];\n"
+                           "for (int i = 1; i < 16; i++) sum += parts[i] * parts[i];\n"
                            "target = sum; }\n"},
     [BENCH_SHADER_SAMPLE] = {"sample VARYING(0) vec4 varying_color;\n"
                              "void main() { to_clip(); varying_color = color; }\n",

@@ -25,7 +25,7 @@ static void color_vertex(struct rhw_vertex *groups, int count)
     }
 }
 
-// Parts of the colour whose weights, 1/256, 3/256 and so on, have the sum of 1.
+// Parts of the colour, the squares of whose weights have the sum of 1364/1369.
 static void many_vertex(struct rhw_vertex *groups, int count)
 {
     for (int g = 0; g < count; g++) {
@@ -33,7 +33,7 @@ static void many_vertex(struct rhw_vertex *groups, int count)
         to_clip(v->uniforms, v->attribute[0], v->position);
         for (int i = 0; i < BENCH_MANY; i++) {
             for (int c = 0; c < 4; c++) {
-                v->varying[4 * i + c] = v->attribute[1][c] * (((float)i + 0.5f) / 128);
+                v->varying[4 * i + c] = v->attribute[1][c] * (((float)i + 0.5f) / 37);
             }
         }
     }
@@ -199,14 +199,15 @@ static void move_fragment(struct rhw_fragment *groups, int count)
     }
 }
 
+// The sum of squares. What is linear in varyings could be moved into the vertex function, as Mesa 25 does.
 static void many_fragment(struct rhw_fragment *groups, int count)
 {
     for (int g = 0; g < count; g++) {
         const rhw_float *const v = groups[g].varying;
         for (int c = 0; c < 4; c++) {
-            rhw_float sum = v[c];
+            rhw_float sum = v[c] * v[c];
             for (int i = 1; i < BENCH_MANY; i++) {
-                sum += v[4 * i + c];
+                sum += v[4 * i + c] * v[4 * i + c];
             }
             groups[g].color[0][c] = sum;
         }
