@@ -109,8 +109,13 @@ RHW_INLINE void f32x4_columns(const f32x4 row[8], f32x8 column[4])
 {
     f32x8 pair[4];
     for (int i = 0; i < 4; i++) {
+#if defined(__AVX2__)
+        // gcc would store the halves and load the whole, which waits for both stores.
+        pair[i] = (f32x8)_mm256_set_m128((__m128)row[i + 4], (__m128)row[i]);
+#else
         const f32x4 both[2] = {row[i], row[i + 4]};
         pair[i] = f32x8_load(both);
+#endif
     }
     f32x8_columns(pair, column);
 }
