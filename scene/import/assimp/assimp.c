@@ -666,7 +666,7 @@ void scene_import_assimp(struct scene_import *import)
     scene_assimp_find_gaps(import);
     const struct aiScene *scene = read_scene(import, &exact);
     struct reader reader = {.import = import, .exact = &exact, .scene = scene};
-    scene_assimp_tell_hidden(import, scene);
+    scene_assimp_tell_hidden(import);
     import->model.format = format_of(import, scene);
     import->model.doubts_cameras = true;
     set_up(import, scene);

@@ -61,8 +61,8 @@ char *scene_assimp_dxf(struct scene_import *import, size_t *size);
 /// Return the bytes of an FBX with layers of materials where its geometries lack them, a 0 behind them. Return NULL if
 /// none does, or if the file is none.
 char *scene_assimp_fbx(struct scene_import *import, size_t *size);
-/// Tell the user if models are drawn that an FBX hides.
-void scene_assimp_tell_hidden(struct scene_import *import, const struct aiScene *scene);
+/// Tell the user if models are drawn that an FBX hides, for good or for a while.
+void scene_assimp_tell_hidden(struct scene_import *import);
 /// Move the white space at the ends of a document's texts into its tags. A 0 follows the text.
 void scene_assimp_collapse_texts(char *text, size_t size);
 /// Make meshes of the convex meshes of a Collada document that have parts of their own. A 0 follows the text.

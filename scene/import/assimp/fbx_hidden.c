@@ -1,189 +1,149 @@
 // SPDX-License-Identifier: MIT
-// Models of an FBX that are hidden. assimp keeps one of the two properties that hide them, and not the one that Maya
-// writes, so both are looked for in the file. A model hides those below it.
+// Models of an FBX that are hidden, for good or for a while. assimp keeps one of the two properties that hide them, and
+// not the one that Maya writes, and neither layers nor movements of visibility, so all are looked for in the file. A
+// model hides those below it that do not say otherwise.
 #include "assimp.h"
-#include "fbx_record.h"
-#include "import/builder/text_lines.h"
+#include "fbx_objects.h"
+#include "import/builder/hash_table.h"
 
 #include <stdlib.h>
-#include <string.h>
 #include <strings.h>
 
-struct hidden {
-    struct scene_import *import;
-    struct scene_word *names; // names of models, which stay in the file's bytes
-    size_t count, capacity;
+enum {
+    HIDDEN = 1,
+    LAYERED = 2, // in a layer that is hidden
+    MOVED = 4,   // hidden for a while
+    SHOWN = 8,   // below the root of the scene
+    DRAWN = 16,  // has a shape
+    KNOWN = 32,  // what is above it has been added
 };
 
-static bool hides(struct scene_word property, double value)
+struct graph {
+    struct scene_import *import;
+    struct scene_fbx_objects all;
+    struct scene_hash_table places; // finds objects by their ids
+    unsigned char *flags;           // what is known of an object
+    uint32_t *above;                // the model above each model. NONE if there is none
+};
+
+static const uint32_t none = UINT32_MAX;
+
+static uint32_t hash_of(int64_t id)
 {
-    return value <= 0 && (scene_word_is(property, "Show") || scene_word_is(property, "Visibility"));
+    return scene_hash_bytes(&id, sizeof id);
 }
 
-static void add(struct hidden *hidden, struct scene_word name)
+static uint32_t find(const struct graph *graph, int64_t id)
 {
-    scene_import_reserve(hidden->import, &hidden->names, &hidden->capacity, hidden->count + 1,
-                         sizeof *hidden->names);
-    hidden->names[hidden->count++] = name;
+    size_t place = SIZE_MAX;
+    const uint32_t hash = hash_of(id);
+    uint32_t index = scene_hash_next(&graph->places, hash, &place);
+    while (index != none && graph->all.objects[index].id != id) {
+        index = scene_hash_next(&graph->places, hash, &place);
+    }
+    return index;
 }
 
-// Binary --------------------------------------------------------------------------------------------
-
-// Find the next record of a list that has a name, from `place` on. Return false at the end of the list.
-static bool find_record(const struct scene_fbx_bytes *file, size_t *place, size_t limit, const char *name,
-                        struct scene_fbx_record *record)
+static bool is_of(const struct graph *graph, uint32_t index, enum scene_fbx_class class)
 {
-    while (scene_fbx_read_record(file, *place, limit, record) && record->end > *place) {
-        *place = (size_t)record->end;
-        if (scene_fbx_is_named(file, record, name)) {
-            return true;
+    return index != none && graph->all.objects[index].class == class;
+}
+
+static struct graph open_graph(struct scene_import *import, char *bytes, size_t size)
+{
+    struct graph graph = {.import = import, .all = scene_fbx_read_objects(import, bytes, size)};
+    const size_t count = graph.all.count < none ? graph.all.count : none - 1;
+    graph.flags = scene_import_allocate(import, count, sizeof *graph.flags);
+    graph.above = scene_import_allocate(import, count, sizeof *graph.above);
+    for (uint32_t i = 0; i < count; i++) {
+        scene_hash_add(import, &graph.places, hash_of(graph.all.objects[i].id), i);
+        graph.flags[i] = graph.all.objects[i].is_hidden ? HIDDEN : 0;
+        graph.above[i] = none;
+    }
+    return graph;
+}
+
+static void close_graph(struct graph *graph)
+{
+    free(graph->all.objects);
+    free(graph->all.links);
+    free(graph->places.entries);
+    free(graph->flags);
+    free(graph->above);
+}
+
+// Find the curves that hide what follows them. A property follows curves, and a model follows properties.
+static void follow_curves(struct graph *graph, const char *bytes, size_t size)
+{
+    for (size_t i = 0; i < graph->all.link_count; i++) {
+        const struct scene_fbx_link *const link = &graph->all.links[i];
+        const uint32_t node = find(graph, link->child);
+        if (link->is_visibility && is_of(graph, node, SCENE_FBX_CLASS_CURVE_NODE)) {
+            graph->flags[node] |= MOVED;
         }
     }
-    return false;
-}
-
-// Read the string that is a value of a record, from 0 on. It is empty if that is none.
-static struct scene_word string_of(const struct scene_fbx_bytes *file, const struct scene_fbx_record *record,
-                                   int number)
-{
-    size_t place = record->values, length = 0;
-    for (int i = 0; i < number && place != 0; i++) {
-        place = scene_fbx_value_end(file, place, record->children);
-    }
-    const size_t start = place == 0 ? 0 : scene_fbx_string_at(file, place, record->children, &length);
-    return start == 0 ? (struct scene_word){"", 0}
-                      : (struct scene_word){(const char *)file->bytes + start, length};
-}
-
-// Return true if the value behind the name, the type, the label and the flags of a property is a number of 0 or less.
-static bool is_zero(const struct scene_fbx_bytes *file, const struct scene_fbx_record *property)
-{
-    size_t place = property->values;
-    for (int i = 0; i < 4 && place != 0; i++) {
-        place = scene_fbx_value_end(file, place, property->children);
-    }
-    const size_t end = place == 0 ? 0 : scene_fbx_value_end(file, place, property->children);
-    if (end == 0 || strchr("CBYILFD", file->bytes[place]) == NULL) {
-        return false;
-    }
-    const unsigned char sign = file->bytes[end - 1] & 0x80;
-    return sign != 0 || scene_fbx_number(file->bytes + place + 1, end - place - 1) == 0;
-}
-
-static void look_at_bytes(struct hidden *hidden, const struct scene_fbx_bytes *file)
-{
-    struct scene_fbx_record objects, model, list, property;
-    size_t place = SCENE_FBX_HEADER;
-    if (!find_record(file, &place, file->size, "Objects", &objects)) {
-        return;
-    }
-    place = objects.children;
-    while (find_record(file, &place, (size_t)objects.end, "Model", &model)) {
-        bool is_hidden = false;
-        size_t in_model = model.children;
-        if (find_record(file, &in_model, (size_t)model.end, "Properties70", &list)) {
-            size_t in_list = list.children;
-            while (find_record(file, &in_list, (size_t)list.end, "P", &property)) {
-                is_hidden =
-                    is_hidden || hides(string_of(file, &property, 0), is_zero(file, &property) ? 0 : 1);
-            }
-        }
-        if (is_hidden) {
-            add(hidden, string_of(file, &model, 1));
+    for (size_t i = 0; i < graph->all.link_count; i++) {
+        const struct scene_fbx_link *const link = &graph->all.links[i];
+        const uint32_t curve = find(graph, link->child), node = find(graph, link->parent);
+        if (is_of(graph, curve, SCENE_FBX_CLASS_CURVE) && is_of(graph, node, SCENE_FBX_CLASS_CURVE_NODE) &&
+            (graph->flags[node] & MOVED) != 0 && graph->all.objects[curve].keys != 0 &&
+            scene_fbx_reaches_zero(graph->import, bytes, size, graph->all.objects[curve].keys)) {
+            graph->flags[node] |= HIDDEN;
         }
     }
 }
 
-// Text ----------------------------------------------------------------------------------------------
-
-// Read the next string in quotation marks of a line. Return false if there is none.
-static bool next_string(struct scene_line *line, struct scene_word *string)
+static void follow_link(struct graph *graph, const struct scene_fbx_link *link)
 {
-    const size_t left = (size_t)(line->end - line->cursor);
-    const char *const start = left == 0 ? NULL : memchr(line->cursor, '"', left);
-    const char *const end = start == NULL ? NULL : memchr(start + 1, '"', (size_t)(line->end - start - 1));
-    if (end == NULL) {
-        return false;
-    }
-    *string = (struct scene_word){start + 1, (size_t)(end - start - 1)};
-    line->cursor = end + 1;
-    return true;
-}
-
-// Return whether a string is the name of an object, behind its class: "DisplayLayer::Layer1".
-static bool has_class(struct scene_word string)
-{
-    for (size_t i = 0; i + 1 < string.length; i++) {
-        if (string.start[i] == ':' && string.start[i + 1] == ':') {
-            return true;
-        }
-    }
-    return false;
-}
-
-// In text a record has a line of its own, and so has a property.
-static void look_at_text(struct hidden *hidden, char *bytes, size_t size)
-{
-    struct scene_text text = scene_text_open(hidden->import, bytes, size);
-    struct scene_line line;
-    struct scene_word word, name = {"", 0}, strings[4];
-    while (scene_text_line(&text, false, &line)) {
-        if (!scene_text_word(&line, &word)) {
-            continue;
-        }
-        if (scene_word_is(word, "Model:")) {
-            name.length = 0;
-            next_string(&line, &name);
-        } else if (!scene_word_is(word, "P:") && next_string(&line, &strings[0]) && has_class(strings[0])) {
-            name.length = 0; // an object of another kind begins
-        } else if (scene_word_is(word, "P:") && name.length > 0) {
-            int count = 0;
-            double value = 0;
-            while (count < 4 && next_string(&line, &strings[count])) {
-                count++;
-            }
-            line.cursor += line.cursor < line.end && *line.cursor == ',';
-            if (count == 4 && scene_text_double(&line, &value) && hides(strings[0], value)) {
-                add(hidden, name);
-                name.length = 0;
-            }
-        }
+    const uint32_t child = find(graph, link->child), parent = find(graph, link->parent);
+    const bool is_model = is_of(graph, child, SCENE_FBX_CLASS_MODEL);
+    const bool is_hidden = child != none && (graph->flags[child] & HIDDEN) != 0;
+    if (is_model && link->parent == 0) {
+        graph->flags[child] |= SHOWN;
+    } else if (is_model && is_of(graph, parent, SCENE_FBX_CLASS_LAYER)) {
+        graph->flags[child] |= (graph->flags[parent] & HIDDEN) != 0 ? LAYERED : 0;
+    } else if (is_model && is_of(graph, parent, SCENE_FBX_CLASS_MODEL)) {
+        graph->above[child] = parent;
+    } else if (is_of(graph, parent, SCENE_FBX_CLASS_MODEL) && is_of(graph, child, SCENE_FBX_CLASS_SHAPE)) {
+        graph->flags[parent] |= DRAWN;
+    } else if (is_of(graph, parent, SCENE_FBX_CLASS_MODEL) && link->is_visibility && is_hidden) {
+        graph->flags[parent] |= MOVED;
     }
 }
 
-// Nodes ---------------------------------------------------------------------------------------------
-
-static bool draws(const struct aiNode *node)
+// Add to a model, and to those above it that nobody has added yet, what is above them. `path` has room for all objects.
+static void inherit(struct graph *graph, uint32_t model, uint32_t *path)
 {
-    bool any = node->mNumMeshes > 0;
-    for (unsigned i = 0; i < node->mNumChildren && !any; i++) {
-        any = draws(node->mChildren[i]);
+    size_t length = 0;
+    for (; model != none && (graph->flags[model] & KNOWN) == 0; model = graph->above[model]) {
+        graph->flags[model] |= KNOWN; // a ring ends here
+        path[length++] = model;
     }
-    return any;
+    while (length > 0) {
+        const uint32_t child = path[--length], parent = graph->above[child];
+        const unsigned char taken =
+            graph->all.objects[child].is_apart ? SHOWN : SHOWN | HIDDEN | LAYERED | MOVED;
+        graph->flags[child] |= parent == none ? 0 : graph->flags[parent] & taken;
+    }
 }
 
-// Return true if a name is that of a node from one on downward that draws something. In bytes the class stands behind
-// the name, a 0 between them, and in text before it.
-static bool is_drawn(const struct aiNode *node, struct scene_word name)
+// Return all that is said of models that are drawn.
+static unsigned char gather(struct graph *graph)
 {
-    static const char class[] = "Model::";
-    const size_t skipped =
-        name.length >= strlen(class) && memcmp(name.start, class, strlen(class)) == 0 ? strlen(class) : 0;
-    const char *const zero = memchr(name.start, 0, name.length);
-    const size_t length = (zero == NULL ? name.length : (size_t)(zero - name.start)) - skipped;
-    bool found = node->mName.length == length &&
-                 memcmp(node->mName.data, name.start + skipped, length) == 0 && draws(node);
-    for (unsigned i = 0; i < node->mNumChildren && !found; i++) {
-        found = is_drawn(node->mChildren[i], name);
+    unsigned char gathered = 0;
+    uint32_t *const path = scene_import_allocate(graph->import, graph->all.count, sizeof *path);
+    for (uint32_t i = 0; i < graph->places.count; i++) {
+        inherit(graph, i, path);
+        const bool is_seen = (graph->flags[i] & SHOWN) != 0 && (graph->flags[i] & DRAWN) != 0;
+        gathered |= is_seen ? graph->flags[i] : 0;
     }
-    return found;
+    free(path);
+    return gathered;
 }
 
-void scene_assimp_tell_hidden(struct scene_import *import, const struct aiScene *scene)
+void scene_assimp_tell_hidden(struct scene_import *import)
 {
     const char *problem = NULL;
-    struct scene_fbx_bytes file;
-    struct hidden hidden = {.import = import};
     size_t size = 0;
     char *const bytes = strcasecmp(import->ending, "fbx") == 0
                             ? scene_import_read_bytes(import->model.path, &size, &problem)
@@ -191,18 +151,21 @@ void scene_assimp_tell_hidden(struct scene_import *import, const struct aiScene 
     if (bytes == NULL) {
         return;
     }
-    if (scene_fbx_is_binary(bytes, size, &file)) {
-        look_at_bytes(&hidden, &file);
-    } else {
-        look_at_text(&hidden, bytes, size);
+    struct graph graph = open_graph(import, bytes, size);
+    follow_curves(&graph, bytes, size);
+    for (size_t i = 0; i < graph.all.link_count; i++) {
+        follow_link(&graph, &graph.all.links[i]);
     }
-    bool any = false;
-    for (size_t i = 0; i < hidden.count && !any; i++) {
-        any = is_drawn(scene->mRootNode, hidden.names[i]);
-    }
-    if (any) {
+    const unsigned char gathered = gather(&graph);
+    if ((gathered & HIDDEN) != 0) {
         scene_import_unsupported(import, "hidden objects: drawn");
     }
-    free(hidden.names);
+    if ((gathered & LAYERED) != 0) {
+        scene_import_unsupported(import, "hidden layers (FBX): drawn");
+    }
+    if ((gathered & MOVED) != 0) {
+        scene_import_unsupported(import, "objects that are hidden for a while: drawn all the time");
+    }
+    close_graph(&graph);
     free(bytes);
 }
