@@ -64,6 +64,7 @@ struct scene_image {
     enum scene_image_type type;
     uint32_t width, height;           ///< 1..RHW_MAX_TARGET_SIZE
     bool missing;                     ///< the image could not be read, and this is the checkered stand-in
+    bool lacks_end;                   ///< the file has no mark at its end, and was read all the same
     bool used_as_color, used_as_data; ///< the kinds of slot that read it; both may be set
     bool has_alpha;                   ///< at least one texel is not opaque
     size_t size;                      ///< bytes that `texels` points to

@@ -309,6 +309,10 @@ void scene_import_decode_images(struct scene_import *import)
             decoding.problems[i] = decode_image(import, i, true);
         }
         if (decoding.problems[i] == NULL) {
+            if (model->images[i].lacks_end) {
+                scene_import_warn(import, "texture \"%.200s\": has no mark at its end: it may be cut",
+                                  model->images[i].name);
+            }
             continue;
         }
         if (is_no_memory(decoding.problems[i])) {

@@ -31,7 +31,11 @@
 #define STBI_NO_GIF
 #define STBI_NO_PIC
 #define STBI_MAX_DIMENSIONS 16384
-#define pow                 scene_pow // pow makes 8 bits of Radiance files
+// What a damaged file leaves unwritten is 0, so that it is drawn alike everywhere and shows nothing of other memory.
+#define STBI_MALLOC(size)          calloc(1, size)
+#define STBI_REALLOC(memory, size) realloc(memory, size)
+#define STBI_FREE(memory)          free(memory)
+#define pow                        scene_pow // pow makes 8 bits of Radiance files
 #include <stb_image.h>
 #undef pow
 #include <webp/decode.h>
@@ -205,9 +209,60 @@ static const char *decode_png(const unsigned char *bytes, size_t size, struct sc
     return problem == unknown ? "damaged PNG" : problem;
 }
 
+// Decode a JPEG with some bytes and a mark at its end, which stb_image asks for.
+static const char *decode_ended(const unsigned char *bytes, size_t size, unsigned char filling,
+                                struct scene_image *image)
+{
+    enum { FILLED = 16, MARK = 0xff, END = 0xd9 };
+    unsigned char *const ended = malloc(size + FILLED + 2);
+    if (ended == NULL) {
+        return "outofmem";
+    }
+    memcpy(ended, bytes, size);
+    memset(ended + size, filling, FILLED);
+    ended[size + FILLED] = MARK;
+    ended[size + FILLED + 1] = END;
+    const char *const problem = decode_other(ended, size + FILLED + 2, image);
+    free(ended);
+    return problem;
+}
+
+// Decode a JPEG that no mark ends. It is whole if it does not matter what follows it.
+static const char *decode_endless(const unsigned char *bytes, size_t size, struct scene_image *image)
+{
+    static const char cut[] = "the JPEG ends too early";
+    struct scene_image whole = *image, other = *image;
+    while (size > 0 && bytes[size - 1] == 0xff) {
+        size--; // the first half of a mark
+    }
+    if (decode_ended(bytes, size, 0, &whole) != NULL) {
+        return cut;
+    }
+    const char *const problem = decode_ended(bytes, size, 0xfe, &other);
+    const bool is_whole =
+        problem == NULL && other.size == whole.size && memcmp(other.texels, whole.texels, whole.size) == 0;
+    if (problem == NULL) {
+        free(other.texels);
+    }
+    if (!is_whole) {
+        free(whole.texels);
+        return cut;
+    }
+    *image = whole;
+    image->lacks_end = true;
+    return NULL;
+}
+
 static const char *decode_jpeg(const unsigned char *bytes, size_t size, struct scene_image *image)
 {
-    const char *const problem = decode_other(bytes, size, image);
+    bool lacks_end;
+    const char *const gap =
+        size <= INT_MAX ? scene_jpeg_gap(bytes, size, &lacks_end) : "the file is too large";
+    if (gap != NULL) {
+        return gap;
+    }
+    const char *const problem =
+        lacks_end ? decode_endless(bytes, size, image) : decode_other(bytes, size, image);
     // stb_image tries PNG first. The reason is that of the trial where JPEG fails without one.
     const bool lacks_reason = problem != NULL && (problem == unknown || strcmp(problem, "bad png sig") == 0);
     return lacks_reason ? "damaged JPEG" : problem;

@@ -567,7 +567,16 @@ static void test_warnings(void **state)
         {"a.obj", "mtllib a.mtl\nusemtl m\nf 1 2 3\n", "material \"m\" is wholly transparent: drawn opaque"},
         {"a.obj", "mtllib a.mtl\nusemtl m\nf 1 2 3\n",
          "lacks the texture coordinates its material \"m\" reads"},
+        {"a.obj", "mtllib e.mtl\nusemtl e\nvt 0 0\nf 1/1 2/1 3/1\n",
+         "texture \"e.jpg\": has no mark at its end: it may be cut"},
     };
+    static const char endless[] =
+        "\xff\xd8\xff\xdb\0\x43\0\1\1\1\1\1\1\1\1\1\1\1\1\1\1\1\1\1\1\1\1\1\1\1\1\1\1\1\1\1\1\1"
+        "\1\1\1\1\1\1\1\1\1\1\1\1\1\1\1\1\1\1\1\1\1\1\1\1\1\1\1\1\1\1\1\1\1\xff\xc0\0\x0b\x08\0\x08\0\x08"
+        "\1\1\x11\0\xff\xc4\0\x14\0\1\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\xff\xc4\0\x14\x10\1\0\0\0\0\0\0\0\0\0"
+        "\0\0\0\0\0\0\0\xff\xda\0\x08\1\1\0\0\x3f\0\x3f"; // one grey block
+    write_text("e.mtl", "newmtl e\nmap_Kd e.jpg\n");
+    write_bytes("e.jpg", endless, sizeof endless - 1);
     write_text("a.mtl", "newmtl m\nd 0\nmap_Kd a.ppm\n");
     write_bytes("a.ppm", "P6\n1 1\n255\n\x10\x20\x30", 14);
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {

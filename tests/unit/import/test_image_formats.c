@@ -740,6 +740,113 @@ static void test_jpeg_tables(void **state)
     }
 }
 
+// Put a grey JPEG of 8 x 128 pixels, a brighter one where its first block is, up to its only scan. Codes: 0 and 10 for
+// differences of no bits and of six, 0 for the end of a block.
+static struct file jpeg_of(const char *frame, size_t frame_size, bool has_quantization, bool has_codes)
+{
+    static const uint8_t ones[64] = {1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1,
+                                     1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1,
+                                     1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1};
+    struct file file = file_of("\xff\xd8", 2);
+    if (has_quantization) {
+        put_bytes(&file, "\xff\xdb\0\x43\0", 5);
+        put_bytes(&file, ones, sizeof ones);
+    }
+    put_bytes(&file, frame, frame_size);
+    put_bytes(&file, "\xff\xc4\0\x15\0\1\1\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\6", 23);
+    if (has_codes) {
+        put_bytes(&file, "\xff\xc4\0\x14\x10\1\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0", 22);
+    }
+    return file;
+}
+
+#define BYTES(text) text, sizeof(text) - 1
+#define BASELINE    "\xff\xc0\0\x0b\x08\0\x80\0\x08\1\1\x11\0"
+#define SCAN        "\xff\xda\0\x08\1\1\0\0\x3f\0"
+#define EVERY_FOUR  "\xff\xdd\0\4\0\4"
+#define DATA        "\xbf\0\0\0\1"
+#define MARK        "\xff\xd9"
+#define PROGRESSIVE "\xff\xc2\0\x0b\x08\0\x80\0\x08\1\1\x11\0"
+#define FIRST_SCAN  "\xff\xda\0\x08\1\1\0\0\0\0"
+#define OTHERS      "\xff\xda\0\x08\1\1\0\1\x3f\0"
+#define REFINEMENT  "\xff\xda\0\x08\1\1\0\0\0\x10"
+#define THREE       "\xff\xc0\0\x11\x08\0\x80\0\x08\3\1\x11\0\2\x11\0\3\x11\0"
+
+// What a JPEG needs to be whole: all of its scans and rows, and tables for them. A mark at its end it does not need.
+static void test_jpeg_gaps(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *frame;
+        size_t frame_size;
+        const char *scans;
+        size_t scans_size;
+        bool lacks_quantization, lacks_codes, lacks_end;
+        const char *problem;
+    } cases[] = {
+        {BYTES(BASELINE), BYTES(SCAN DATA MARK), false, false, false, NULL},
+        {BYTES(BASELINE), BYTES(SCAN DATA), false, false, true, NULL},
+        {BYTES(BASELINE), BYTES(SCAN DATA "\xff"), false, false, true, NULL},
+        {BYTES(BASELINE), BYTES(SCAN DATA "\0\0\0"), false, false, true, NULL},
+        {BYTES(BASELINE), BYTES(SCAN "\xbf\0\0\0"), false, false, false, "the JPEG ends too early"},
+        {BYTES(BASELINE), BYTES(SCAN DATA "\xff\xfe\0\x20"), false, false, false, "the JPEG ends too early"},
+        {BYTES(BASELINE), BYTES(EVERY_FOUR SCAN "\xbf\1\xff\xd0\0\xff\xd1\0\xff\xd2\0" MARK), false, false,
+         false, NULL},
+        {BYTES(BASELINE), BYTES(EVERY_FOUR SCAN "\xbf\1\xff\xd0\0\xff\xd1\0\xff\xd2\0"), false, false, true,
+         NULL},
+        {BYTES(BASELINE), BYTES(EVERY_FOUR SCAN "\xbf\1\xff\xd0\0\xff\xd1\0" MARK), false, false, false,
+         "damaged JPEG: rows are not there"},
+        {BYTES(BASELINE), BYTES(EVERY_FOUR SCAN "\xbf\1\xff\xd0\0\xff\xd1\0"), false, false, false,
+         "damaged JPEG: rows are not there"},
+        {BYTES(BASELINE), BYTES(SCAN DATA MARK), true, false, false,
+         "damaged JPEG: a table of quantization is not there"},
+        {BYTES(BASELINE), BYTES(SCAN DATA MARK), false, true, false,
+         "damaged JPEG: a Huffman table is not there"},
+        {BYTES(THREE), BYTES(SCAN DATA MARK), false, false, false, "damaged JPEG: scans are not there"},
+        {BYTES(BASELINE), BYTES("\xff\xda\0\x08\1\7\0\0\x3f\0" DATA MARK), false, false, false,
+         "damaged JPEG: a scan of a component that is not there"},
+        {BYTES(PROGRESSIVE), BYTES(FIRST_SCAN "\xbf\0\1" MARK), false, true, false, NULL},
+        {BYTES(PROGRESSIVE), BYTES(FIRST_SCAN "\xbf\0\1" OTHERS "\0\0" MARK), false, false, false, NULL},
+        {BYTES(PROGRESSIVE), BYTES(FIRST_SCAN "\xbf\0\1" OTHERS "\0\0"), false, false, true, NULL},
+        {BYTES(PROGRESSIVE), BYTES(FIRST_SCAN "\xbf\0\1" OTHERS "\0"), false, false, false,
+         "the JPEG ends too early"},
+        {BYTES(PROGRESSIVE), BYTES(OTHERS "\0\0" MARK), false, false, false,
+         "damaged JPEG: scans are not there"},
+        {BYTES(PROGRESSIVE), BYTES(REFINEMENT "\0\0" MARK), false, false, false,
+         "damaged JPEG: scans are not there"},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        struct file file =
+            jpeg_of(cases[i].frame, cases[i].frame_size, !cases[i].lacks_quantization, !cases[i].lacks_codes);
+        put_bytes(&file, cases[i].scans, cases[i].scans_size);
+        if (cases[i].problem != NULL) {
+            assert_refused(&file, cases[i].problem);
+            continue;
+        }
+        struct scene_image image = decode_file(&file);
+        const uint8_t *const texels = image.texels;
+        assert_int_equal(image.lacks_end, cases[i].lacks_end);
+        assert_int_equal(image.width, 8);
+        assert_int_equal(image.height, 128);
+        assert_in_range(texels[0], 135, 137);
+        assert_int_equal(texels[image.size - 4],
+                         cases[i].frame[1] == '\xc0' && cases[i].scans[1] == '\xdd' ? 128 : texels[0]);
+        free(image.texels);
+    }
+}
+
+#undef BYTES
+#undef BASELINE
+#undef SCAN
+#undef EVERY_FOUR
+#undef DATA
+#undef MARK
+#undef PROGRESSIVE
+#undef FIRST_SCAN
+#undef OTHERS
+#undef REFINEMENT
+#undef THREE
+
 // Formats that are known and not read have their name in the refusal.
 static void test_named_refusals(void **state)
 {
@@ -761,13 +868,21 @@ static void test_named_refusals(void **state)
 }
 
 static const struct CMUnitTest tests[] = {
-    cmocka_unit_test(test_dds_blocks),   cmocka_unit_test(test_dds_changes),
-    cmocka_unit_test(test_dds_words),    cmocka_unit_test(test_dds_refused),
-    cmocka_unit_test(test_tiff_bytes),   cmocka_unit_test(test_tiff_wide),
-    cmocka_unit_test(test_exr),          cmocka_unit_test(test_gif),
-    cmocka_unit_test(test_avif),         cmocka_unit_test(test_sizes),
-    cmocka_unit_test(test_bmp_from_top), cmocka_unit_test(test_damaged_headers),
-    cmocka_unit_test(test_jpeg_tables),  cmocka_unit_test(test_named_refusals),
+    cmocka_unit_test(test_dds_blocks),
+    cmocka_unit_test(test_dds_changes),
+    cmocka_unit_test(test_dds_words),
+    cmocka_unit_test(test_dds_refused),
+    cmocka_unit_test(test_tiff_bytes),
+    cmocka_unit_test(test_tiff_wide),
+    cmocka_unit_test(test_exr),
+    cmocka_unit_test(test_gif),
+    cmocka_unit_test(test_avif),
+    cmocka_unit_test(test_sizes),
+    cmocka_unit_test(test_bmp_from_top),
+    cmocka_unit_test(test_damaged_headers),
+    cmocka_unit_test(test_jpeg_tables),
+    cmocka_unit_test(test_jpeg_gaps),
+    cmocka_unit_test(test_named_refusals),
 };
 
 const struct unit_tests test_image_formats = UNIT_TESTS(tests, NULL, NULL);
