@@ -244,11 +244,46 @@ static void tests_of_an_aspect_that_is_not_rendered_pass(void **state)
     assert_int_equal(draw_with_aspect(false), 0x00ff00ff);
 }
 
+static void an_image_of_one_dimension_has_depth(void **state)
+{
+    (void)state;
+    struct rig rig;
+    rig_open(&rig);
+    const VkImageCreateInfo info = {.sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO,
+                                    .imageType = VK_IMAGE_TYPE_1D,
+                                    .format = VK_FORMAT_D32_SFLOAT,
+                                    .extent = {PASS_TEXELS, 1, 1},
+                                    .mipLevels = 1,
+                                    .arrayLayers = 1,
+                                    .samples = VK_SAMPLE_COUNT_1_BIT,
+                                    .usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT |
+                                             VK_IMAGE_USAGE_TRANSFER_DST_BIT};
+    VkImageFormatProperties properties;
+    CHECK(vkGetPhysicalDeviceImageFormatProperties(rig.physical, info.format, info.imageType, info.tiling,
+                                                   info.usage, 0, &properties));
+    assert_int_equal(properties.maxExtent.height, 1);
+    struct rig_image image = {.format = info.format, .width = PASS_TEXELS, .height = 1, .layers = 1};
+    CHECK(vkCreateImage(rig.device, &info, NULL, &image.image));
+    rig_back(&rig, image.image);
+    const VkClearDepthStencilValue half = {.depth = 0.5f};
+    const VkImageSubresourceRange all = {
+        .aspectMask = VK_IMAGE_ASPECT_DEPTH_BIT, .levelCount = 1, .layerCount = 1};
+    const VkImageLayout layout = VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL;
+    rig_barrier(&rig, &image, VK_IMAGE_LAYOUT_UNDEFINED, layout);
+    vkCmdClearDepthStencilImage(rig.commands, image.image, layout, &half, 1, &all);
+    rig_barrier(&rig, &image, layout, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL);
+    const struct rig_buffer read = rig_read(&rig, &image, 4);
+    rig_run(&rig);
+    expect_depth(&read, 0.5f);
+    rig_close(&rig);
+}
+
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(one_aspect_is_resolved_alone),
     cmocka_unit_test(a_rendering_resolves_one_aspect),
     cmocka_unit_test(a_clear_of_what_is_not_there_does_nothing),
     cmocka_unit_test(tests_of_an_aspect_that_is_not_rendered_pass),
+    cmocka_unit_test(an_image_of_one_dimension_has_depth),
 };
 
 const struct unit_tests test_vulkan_depth = UNIT_TESTS(tests, NULL, NULL);

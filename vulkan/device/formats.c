@@ -117,14 +117,17 @@ static bool is_supported(const VkPhysicalDeviceImageFormatInfo2 *info, VkFormatF
         VK_IMAGE_CREATE_SPARSE_BINDING_BIT | VK_IMAGE_CREATE_SPARSE_RESIDENCY_BIT |
         VK_IMAGE_CREATE_SPARSE_ALIASED_BIT | VK_IMAGE_CREATE_PROTECTED_BIT | VK_IMAGE_CREATE_DISJOINT_BIT |
         VK_IMAGE_CREATE_BLOCK_TEXEL_VIEW_COMPATIBLE_BIT;
-    const bool is_flat = vulkan_format_is_compressed(info->format) ||
-                         vulkan_format_aspects(info->format) != VK_IMAGE_ASPECT_COLOR_BIT;
+    const bool is_compressed = vulkan_format_is_compressed(info->format);
+    const bool is_color = vulkan_format_aspects(info->format) == VK_IMAGE_ASPECT_COLOR_BIT;
+    const bool has_type = info->type == VK_IMAGE_TYPE_1D   ? !is_compressed
+                          : info->type == VK_IMAGE_TYPE_3D ? !is_compressed && is_color
+                                                           : true;
     // With extended usage it is views of other formats that may be used so.
     const VkFormatFeatureFlags wanted =
         info->flags & VK_IMAGE_CREATE_EXTENDED_USAGE_BIT ? 0 : needs(info->usage);
     return features != 0 && !(info->flags & missing) && (features & wanted) == wanted &&
            (info->tiling == VK_IMAGE_TILING_OPTIMAL || info->type == VK_IMAGE_TYPE_2D) &&
-           info->tiling <= VK_IMAGE_TILING_LINEAR && (info->type == VK_IMAGE_TYPE_2D || !is_flat);
+           info->tiling <= VK_IMAGE_TILING_LINEAR && has_type;
 }
 
 VkResult vulkan_image_properties(const VkPhysicalDeviceImageFormatInfo2 *info,
