@@ -167,7 +167,11 @@ static bool build_composed(struct shader_builder *builder, uint32_t opcode, cons
     case SPIRV_OP_Select: *result = shader_emit(builder, SHADER_SELECT, v[0], v[1], v[2]); return true;
     case SPIRV_OP_QuantizeToF16: {
         const uint32_t halves = emit2(builder, SHADER_PACK_HALVES, v[0], zero);
-        *result = emit2(builder, SHADER_UNPACK_LOW_HALF, halves, 0);
+        const uint32_t half = emit2(builder, SHADER_UNPACK_LOW_HALF, halves, 0);
+        const uint32_t least = shader_number(builder, SHADER_LEAST_HALF);
+        const uint32_t is_small = emit2(builder, SHADER_ILESS, magnitude(builder, v[0]), least);
+        const uint32_t sign = emit2(builder, SHADER_AND, v[0], shader_number(builder, SIGN_BIT));
+        *result = shader_emit(builder, SHADER_SELECT, is_small, sign, half);
         return true;
     }
     case SPIRV_OP_BitFieldInsert: *result = insert_field(builder, v[0], v[1], v[2], v[3]); return true;

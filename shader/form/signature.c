@@ -87,7 +87,6 @@ static const char *const signatures[] = {
     [SPIRV_OP_DPdxCoarse] = "ff",
     [SPIRV_OP_DPdyCoarse] = "ff",
     [SPIRV_OP_FwidthCoarse] = "ff",
-    [SPIRV_OP_CopyObject] = "tt",
 };
 
 // Return the letter of a type: of what its components are.

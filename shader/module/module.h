@@ -22,7 +22,8 @@ enum {
     SHADER_MAX_SCALARS = 1 << 14,      // scalars of a type
     SHADER_MAX_TYPE_BYTES = INT32_MAX, // bytes of a type in memory
     SHADER_MAX_TYPE_DEPTH = 32,
-    SHADER_MAX_INVOCATIONS = 1024 // invocations of a workgroup
+    SHADER_MAX_INVOCATIONS = 1024, // invocations of a workgroup
+    SHADER_LEAST_HALF = 0x38800000 // bits of the least positive float that is a normal half
 };
 
 enum shader_type_kind {
@@ -90,6 +91,12 @@ struct shader_type {
     uint32_t bytes;
     int depth; // how deep composites nest
 };
+
+// Return true for a structure without members, whose values have nothing.
+static inline bool shader_type_is_empty(const struct shader_type *type)
+{
+    return type->kind == SHADER_STRUCT && type->count == 0;
+}
 
 struct shader_constant {
     const struct shader_type *type;

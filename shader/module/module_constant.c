@@ -4,13 +4,23 @@
 
 #include <string.h>
 
+// Return true if a constant may be of a type without scalars: an undefined pointer or resource, a null pointer, or a
+// structure without members.
+static bool may_be_empty(uint32_t opcode, const struct shader_type *type)
+{
+    const bool is_object = type->kind != SHADER_VOID && type->kind != SHADER_FUNCTION;
+    return (opcode == SPIRV_OP_Undef && is_object) ||
+           (opcode == SPIRV_OP_ConstantNull && type->kind == SHADER_POINTER) || shader_type_is_empty(type);
+}
+
 static uint32_t *new_constant(struct shader_module *module, uint32_t word, const struct shader_type *type)
 {
     struct shader_constant *const constant = shader_take(module->memory, 1, sizeof *constant);
-    if (type->scalars == 0) {
+    if (type->scalars == 0 && !may_be_empty(module->words[word] & 0xffff, type)) {
         shader_refuse(module, word, "there are no constants of the type of id %u", (unsigned)type->id);
     }
-    uint32_t *const scalars = shader_take(module->memory, type->scalars, sizeof *scalars);
+    const uint32_t room = type->scalars == 0 ? 1 : type->scalars;
+    uint32_t *const scalars = shader_take(module->memory, room, sizeof *scalars);
     constant->type = type;
     constant->scalars = scalars;
     module->ids[module->words[word + 2]].data.as_constant = constant;
@@ -94,13 +104,20 @@ static int32_t divide(int32_t a, int32_t b)
     return b == 0 ? a : b == -1 ? (int32_t)(0 - (uint32_t)a) : a / b;
 }
 
+// Return what a half has of a number. What would be no normal half is 0.
+static uint32_t quantize(uint32_t bits)
+{
+    const bool is_small = (bits & 0x7fffffff) < SHADER_LEAST_HALF;
+    return is_small ? bits & 0x80000000 : shader_float_from_half(shader_half_from_float(bits));
+}
+
 // Return a scalar of the result. Divisions by 0 give what they give in shaders (shader_integer.h).
 static bool evaluate(uint32_t opcode, const uint32_t v[3], uint32_t *result)
 {
     const int32_t a = (int32_t)v[0], b = (int32_t)v[1];
     switch (opcode) {
     case SPIRV_OP_FConvert: *result = v[0]; return true;
-    case SPIRV_OP_QuantizeToF16: *result = shader_float_from_half(shader_half_from_float(v[0])); return true;
+    case SPIRV_OP_QuantizeToF16: *result = quantize(v[0]); return true;
     case SPIRV_OP_SNegate: *result = 0 - v[0]; return true;
     case SPIRV_OP_Not: *result = ~v[0]; return true;
     case SPIRV_OP_IAdd: *result = v[0] + v[1]; return true;

@@ -164,7 +164,7 @@ static void read_struct(struct shader_module *module, uint32_t word, struct shad
         end = behind > end ? behind : end;
         nest(module, word, type, members[i].type, 0);
         // Memory may hold more than a value can.
-        has_values = has_values && members[i].type->scalars != 0;
+        has_values = has_values && (members[i].type->scalars != 0 || shader_type_is_empty(members[i].type));
         members[i].first = has_values ? (uint32_t)scalars : 0;
         scalars += members[i].type->scalars;
         has_values = has_values && scalars <= SHADER_MAX_SCALARS;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Modules that break a rule which the translation relies on, and modules that ask for more than there is: each is refused
-// with a message that tells which rule, and nothing else happens. The texts of asm/ are one rule each.
+// with a message that tells which rule, and nothing else happens. The texts of asm/ are one rule each, or have what GLSL
+// does not give.
 #include <rhw/spirv.h>
 #include <stdlib.h>
 #include <string.h>
@@ -9,7 +10,7 @@
 #include "spirv_run.h"
 
 struct assembled {
-    const char *name, *expected; // "refused: " and a part of the message, or "taken"
+    const char *name, *expected; // "refused: " and a part of the message, "taken", or "gives" and words
     const uint32_t *words;
     size_t size;
 };
@@ -28,9 +29,29 @@ static enum rhw_shader_stage stage_of(const uint32_t *words, size_t size)
     return RHW_SHADER_COMPUTE;
 }
 
+// Run a shader, which has words 1, 2 and so on, and compare them afterwards with those of a text.
+static void expect_words(const char *name, const char *expected, rhw_shader *shader)
+{
+    enum { WORDS = 16 };
+    uint32_t words[WORDS];
+    for (uint32_t i = 0; i < WORDS; i++) {
+        words[i] = i + 1;
+    }
+    spirv_run(shader, &(struct spirv_bytes){words, sizeof words, false}, 1, NULL, 0, 1);
+    for (int i = 0; i < WORDS && *expected != '\0'; i++) {
+        char *end;
+        const uint32_t wanted = (uint32_t)strtoul(expected, &end, 16);
+        if (words[i] != wanted) {
+            fail_msg("%s: word %d is 0x%x, where it is to be 0x%x", name, i, (unsigned)words[i],
+                     (unsigned)wanted);
+        }
+        expected = end;
+    }
+}
+
 static void expect(const char *name, const char *expected, const uint32_t *words, size_t size)
 {
-    static const char refused[] = "refused: ";
+    static const char refused[] = "refused: ", gives[] = "gives";
     char message[RHW_SHADER_MESSAGE];
     rhw_shader *shader;
     const struct rhw_shader_def def = {.stage = stage_of(words, size)};
@@ -42,7 +63,11 @@ static void expect(const char *name, const char *expected, const uint32_t *words
     if (is_refused && !strstr(message, expected + sizeof refused - 1)) {
         fail_msg("%s: \"%s\", where it is to be %s", name, message, expected);
     }
-    rhw_shader_destroy(shader);
+    if (strncmp(expected, gives, sizeof gives - 1) == 0) {
+        expect_words(name, expected + sizeof gives - 1, shader);
+    } else {
+        rhw_shader_destroy(shader);
+    }
 }
 
 static void test_broken_rules_are_named(void **state)
