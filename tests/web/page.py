@@ -370,9 +370,12 @@ class Page(PageCase):
             row = self.script("return [...document.querySelectorAll('#model .explained tr')].map((r) => [...r.cells]"
                               ".map((c) => c.textContent)).find((r) => r[0] === arguments[0])",
                               varying["name"] if not varying["name"].startswith("uv of") else
-                              f"{varying['name'][-1]} of {varying['name'][6:-2]}")
+                              f"{varying['name'][-1]} of {varying['name'][6:-2].replace('base color', 'base colour')}")
             self.assertAlmostEqual(float(row[6].replace("−", "-")), varying["pipeline"], delta=1e-9 + abs(varying["pipeline"]) * 1e-5)
             self.assertEqual(row[7], f"{varying['error_ulp']:.2f}")
+        spelled = self.script("const page = document.body.cloneNode(true); page.querySelectorAll('.code, script').forEach((node) => node.remove());"
+                              "return page.textContent.match(/[a-z]* ?color[a-z]*/gi) ?? []")
+        self.assertEqual(spelled, [], "one spelling, but for names in programs")
         self.assertEqual(len(self.browser.find_elements(By.CSS_SELECTOR, "#model .view .outline text")), 3)
         self.browser.save_screenshot(os.path.join(sys.argv[3], "model_explained.png"))
         self.node("#language").click()

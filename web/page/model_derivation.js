@@ -24,7 +24,7 @@ const FATES = {
   written: { en: 'written', zh: '写入' },
 };
 
-// The words of the library's names (scene/draw/explain_sample.c) in Chinese.
+// The words of the library's names (scene/draw/explain_sample.c) in Chinese, and in English where the page spells them otherwise.
 const WORDS = {
   position: '位置',
   normal: '法线',
@@ -42,16 +42,20 @@ const WORDS = {
   nothing: '无',
 };
 
-const slotName = (slot) => ({ en: slot, zh: WORDS[slot] ?? slot });
+const SPELLED = { color: 'colour', 'base color': 'base colour' };
+
+const wordOf = (name) => ({ en: SPELLED[name] ?? name, zh: WORDS[name] ?? name });
 
 // "position x", "uv of base color u", "component 3"
 function valueName(name) {
   const [, slot, axis] = /^uv of (.+) ([uv])$/.exec(name) ?? [];
   if (slot) {
-    return { en: `${axis} of ${slot}`, zh: `${WORDS[slot] ?? slot}的 ${axis}` };
+    const { en, zh } = wordOf(slot);
+    return { en: `${axis} of ${en}`, zh: `${zh}的 ${axis}` };
   }
   const [word, part] = name.split(' ');
-  return { en: name, zh: `${WORDS[word] ?? word} ${part}` };
+  const { en, zh } = wordOf(word);
+  return { en: `${en} ${part}`, zh: `${zh} ${part}` };
 }
 
 /** The fragment of an explanation that is seen; undefined where nothing of the model is. */
@@ -146,7 +150,7 @@ function showHistory(parent, { fragments, orthographic }) {
                 { en: 'colour then', zh: '之后的颜色' }], rows);
   note(block, {
     en: `Depth is reversed: 1 at the near plane, 0 at ${orthographic ? 'the far one' : 'infinity'}, and the greater one is seen. Colours are linear: red, green, blue, alpha.`,
-    zh: `深度是反向的：近平面为 1，${orthographic ? '远平面' : '无穷远'}为 0，较大者可见。颜色为线性值：红、绿、蓝、透明度。`,
+    zh: `深度是反向的：近平面为 1，${orthographic ? '远平面' : '无穷远'}为 0，较大者可见。颜色为线性值：红、绿、蓝、alpha。`,
   });
 }
 
@@ -202,8 +206,8 @@ function showTexture(parent, look) {
   const head = add(parent, 'p');
   const at = place.map((value) => short(value)).join(', ');
   head.append(say({
-    en: `${slot}: level ${short(level)}; level ${whole} has ${size.join('×')} texels, and the place is (${at}). It gives `,
-    zh: `${say(slotName(slot))}：层级 ${short(level)}；第 ${whole} 级有 ${size.join('×')} 个纹素，位置为 (${at})。结果：`,
+    en: `${say(wordOf(slot))}: level ${short(level)}; level ${whole} has ${size.join('×')} texels, and the place is (${at}). It gives `,
+    zh: `${say(wordOf(slot))}：层级 ${short(level)}；第 ${whole} 级有 ${size.join('×')} 个纹素，位置为 (${at})。结果：`,
   }), swatch(texel));
   const rows = texels.flatMap((four, next) =>
     four.map((color, i) => [String(whole + next), sharesIn(look, next === 1)[i].toFixed(4), swatch(color)]),
