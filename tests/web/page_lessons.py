@@ -201,11 +201,19 @@ class Lessons(PageCase):
         fits = "const room = document.querySelector('#motion .scroll'); return room.scrollWidth <= room.clientWidth"
         self.assertTrue(self.script(fits), "the widest table has room beside the motion")
         self.script(slide, 1)
-        self.size(390, 844, touch=True)
-        time.sleep(0.2)
-        self.assertTrue(self.script(fits), "and on a phone")
-        self.size(1440, 900)
         distance = "const a = document.querySelector('#motion [name=distance]'); a.value = arguments[0]; a.dispatchEvent(new Event('input'))"
+        cells = "return [...document.querySelector('#motion table').rows].map((row) => [...row.cells].map((cell) => cell.textContent))"
+        told = self.script(cells)
+        for width in (390, 360, 320):
+            self.size(width, 844, touch=True)
+            for w, corners in ((-0.4, ["AB", "B", "C", "AC", "P"]), (2, ["A", "B", "C", "P"])):
+                self.script(distance, w)
+                self.wait(f"[...document.querySelectorAll('#motion tr:first-child th')].slice(1).map((cell) => cell.textContent).join() === '{','.join(corners)}'")
+                self.assertTrue(self.script(fits), f"and on a phone, where a corner is a column: {width}, {corners}")
+                if w == -0.4:
+                    self.assertEqual([list(row) for row in zip(*self.script(cells))], told)
+        self.script(distance, -0.4)
+        self.size(1440, 900)
         for w, hidden in ((-1, "true"), (2, "false")):  # behind the eye a corner has no place in the picture, and comes back
             self.script(distance, w)
             self.wait(f"rhw.views.motion.handles[0].hasAttribute('hidden') === {hidden}")

@@ -10,7 +10,8 @@ import { hear } from '../heard.js';
 import { say, whenLanguage } from '../language.js';
 import { formulaIn, short } from '../math.js';
 import { cornersOf } from '../overlay.js';
-import { element, fill, write } from '../slots.js';
+import { sizeOf } from '../size.js';
+import { element, fill, text } from '../slots.js';
 import { METHOD, PATTERN } from '../stage.js';
 import { takeable } from '../taken.js';
 import { chapterTerms } from '../tips.js';
@@ -40,6 +41,8 @@ const HEADS = {
   i: '[1|W]',
   q: '[u|W]',
 };
+const ROUND = ['x', 'y', 'd']; // within −1..1: four places behind the point say all
+const WIDEST = 380; // CSS pixels that the columns of the division take at most
 const SPOKEN = { x: 'X/W', y: 'Y/W', column: HEADS.column, row: HEADS.row, d: 'Z/W', i: '1/W', q: 'u/W' };
 
 // The terms of every corner and of P, those of the division and of the raster among them, and of the corners that clipping
@@ -66,24 +69,39 @@ function stepTerms(n, polygon, [width, height]) {
 // The corners of what the near plane leaves of the explained triangle.
 const clipped = (n) => cutTriangle(cornersOf(n))[0];
 
-// A row of a table: a name, and behind it formulas, some with values.
-function rowIn(table, kind, tag, name, cells, values) {
+// A row of a table. Cells are names, or {formula, values}.
+function rowIn(table, kind, cells) {
   fill(element(table, 'tr', kind), (row) => {
-    write(element(row, tag), name);
-    cells.forEach((cell) => fill(element(row, tag, 'value'), (node) => formulaIn(node, cell, values)));
+    for (const { tag = 'td', name, formula, values } of cells) {
+      fill(element(row, tag, formula ? 'value' : ''), (node) => (formula ? formulaIn(node, formula, values) : text(node, name)));
+    }
   });
 }
 
+const named = (name) => ({ tag: 'th', name });
+
+// Where there is no room for all columns, a corner is one of them, and what is told of it are the rows.
 function showTable(table, terms, step, polygon) {
   const names = STEPS[step];
   const left = polygon.map(({ name }) => name);
   const all = { clip: [...new Set(['A', 'B', 'C', ...left])], divide: left }[step] ?? ['A', 'B', 'C'];
+  const corners = [...all, 'P'];
+  const head = named(say({ en: 'corner', zh: '顶点' }));
+  const headOf = (name) => ({ tag: 'th', formula: say(HEADS[name] ?? name) });
+  const cell = (name, corner) => {
+    const term = `${name}_${corner}`;
+    return { formula: term, values: { [term]: short(ROUND.includes(name) ? Number(terms[term].toFixed(4)) : terms[term]) } };
+  };
   fill(table, () => {
-    rowIn(table, '', 'th', say({ en: 'corner', zh: '顶点' }), names.map((name) => say(HEADS[name] ?? name)));
-    for (const corner of [...all, 'P']) {
-      const cells = names.map((name) => `${name}_${corner}`);
+    if (sizeOf(table.parentElement)[0] < WIDEST && names.length > corners.length) {
+      rowIn(table, '', [head, ...corners.map(named)]);
+      names.forEach((name) => rowIn(table, '', [headOf(name), ...corners.map((corner) => cell(name, corner))]));
+      return;
+    }
+    rowIn(table, '', [head, ...names.map(headOf)]);
+    for (const corner of corners) {
       const isBehind = step === 'clip' && 'ABC'.includes(corner) && !left.includes(corner);
-      rowIn(table, isBehind ? 'behind' : '', 'td', corner, cells, Object.fromEntries(cells.map((term) => [term, short(terms[term])])));
+      rowIn(table, isBehind ? 'behind' : '', [{ name: corner }, ...names.map((name) => cell(name, corner))]);
     }
   });
 }
