@@ -389,6 +389,12 @@ class Page(PageCase):
         self.script("document.getElementById('model').scrollIntoView()")
         self.browser.save_screenshot(os.path.join(sys.argv[3], "model_explained_zh.png"))
         self.node("#language").click()
+        self.size(390, 844)
+        wide = ("const room = [...document.querySelectorAll('#model .explained .scroll')].find((one) => one.scrollWidth > one.clientWidth + 20);"
+                "room.scrollLeft = 100; const left = (node) => Math.round(node.getBoundingClientRect().left);"
+                "return [left(room.querySelector('td')) - left(room), room.scrollLeft > 10]")
+        self.assertEqual(self.script(wide), [0, True], "a value's name stays where its row is wider than a phone")
+        self.size(1440, 900)
 
     def test_a_picture_gives_way_to_a_drag(self):
         self.open_sample()
