@@ -467,7 +467,10 @@ class Page(PageCase):
         self.browser.get_log("browser")  # that modules are refused
 
     def test_one_file(self):
-        """Without a server, and without the network."""
+        """Without a server, without the network, and without WebGL."""
+        none = ("const own = HTMLCanvasElement.prototype.getContext; HTMLCanvasElement.prototype.getContext ="
+                " function (kind, ...rest) { return kind === '2d' ? own.call(this, kind, ...rest) : null; }")
+        added = self.browser.execute_cdp_cmd("Page.addScriptToEvaluateOnNewDocument", {"source": none})
         self.browser.execute_cdp_cmd("Network.enable", {})
         self.browser.execute_cdp_cmd("Network.emulateNetworkConditions", {"offline": True, "latency": 0, "downloadThroughput": 0,
                                                                          "uploadThroughput": 0})
@@ -475,11 +478,13 @@ class Page(PageCase):
             self.open("#pixel?P=0.4,0.55", "file://" + os.path.abspath(sys.argv[1]) + ".html")
             self.wait("window.rhw?.views.pixel?.figure.dataset.drawn === 'still' && rhw.views.model")
             self.assertAlmostEqual(self.script("return rhw.views.pixel.pixel[0]"), 0.4)
+            self.assertIsNone(self.script("return document.createElement('canvas').getContext('webgl2')"))
             self.check_native("pixel")
             self.open_sample()
             self.assertIn("12", self.node("#model .info").text)
             self.assertIn("libstb", self.script("return document.querySelector('.licenses pre').textContent"))
         finally:
+            self.browser.execute_cdp_cmd("Page.removeScriptToEvaluateOnNewDocument", added)
             self.browser.execute_cdp_cmd("Network.emulateNetworkConditions", {"offline": False, "latency": 0,
                                                                              "downloadThroughput": -1, "uploadThroughput": -1})
 
