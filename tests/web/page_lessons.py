@@ -124,6 +124,9 @@ class Lessons(PageCase):
         tops = self.script("return [...document.querySelectorAll('#inverse :is(.plot, .top)')].map((node) => node.getBoundingClientRect())"
                            ".map(({ top, bottom }) => [top, bottom])")
         self.assertTrue(max(bottom for _, bottom in tops) - min(top for top, _ in tops) < 850, "all three are seen at once")
+        self.assertTrue(self.script("const [key, , below] = ['.key.naive', '.stage', '.stage ~ p'].map((part) => document.querySelector(`#inverse ${part}`));"
+                                    "return Boolean(below) && getComputedStyle(key, '::before').backgroundImage.startsWith('repeating')"),
+                        "what is wrong is dashed beside its name, too, and the algebra follows the figure")
         before = self.script("return rhw.views.inverse.q")
         places = ("return [...document.querySelectorAll('#inverse .plot .on-curve')].map((dot) => Number(dot.getAttribute('cx')))")
         self.drag("#inverse .plot .mark circle:last-of-type", 60, 0)
@@ -228,6 +231,10 @@ class Lessons(PageCase):
                  " /^[.,;:)，。；：、）]/u.test(math.nextSibling?.data ?? '')).map((math) => math.parentElement.textContent)")
         self.assertEqual(self.script(loose), [])
         self.assertGreater(self.script("return document.querySelectorAll('.equation > rhw-math').length"), 4)
+        broken = ("const found = []; for (const text of document.querySelectorAll('p[lang]')) { const words = text.cloneNode(true);"
+                  " words.querySelectorAll('.equation, rhw-math').forEach((node) => node.remove());"
+                  " found.push(...(words.textContent.match(/\\w = \\S+/g) ?? [])); } return found")
+        self.assertEqual(self.script(broken), [], "an equation stays on its line")
 
     def test_curves_of_depth_have_scales(self):
         self.show("depth")

@@ -15,9 +15,9 @@ const LINES = [
   { term: 'naive', how: '$r$ * $u_A$ + $s$ * $u_B$ + $t$ * $u_C$', note: { en: 'naive: wrong', zh: '未校正：错误' }, kind: 'wrong' },
   { term: 'i_P', how: '$r$ / $W_A$ + $s$ / $W_B$ + $t$ / $W_C$', note: { en: 'linear on the screen', zh: '在屏幕上是线性的' } },
   { term: 'W_P', how: '1 / $i_P$', note: { en: 'one division per pixel', zh: '每像素一次除法' } },
-  { term: 'a', how: '$r$ * $W_P$ / $W_A$', note: { en: '1/W_A once per triangle', zh: '1/W_A 每个三角形只算一次' } },
-  { term: 'b', how: '$s$ * $W_P$ / $W_B$', note: { en: '1/W_B once per triangle', zh: '1/W_B 每个三角形只算一次' } },
-  { term: 'c', how: '$t$ * $W_P$ / $W_C$', note: { en: '1/W_C once per triangle', zh: '1/W_C 每个三角形只算一次' } },
+  { term: 'a', how: '$r$ * $W_P$ / $W_A$', note: { en: '1/W_A: once per triangle', zh: '1/W_A 每个三角形只算一次' } },
+  { term: 'b', how: '$s$ * $W_P$ / $W_B$', note: { en: '1/W_B: once per triangle', zh: '1/W_B 每个三角形只算一次' } },
+  { term: 'c', how: '$t$ * $W_P$ / $W_C$', note: { en: '1/W_C: once per triangle', zh: '1/W_C 每个三角形只算一次' } },
   { term: 'u_P', how: '$a$ * $u_A$ + $b$ * $u_B$ + $c$ * $u_C$', note: { en: 'corrected', zh: '校正后' }, kind: 'right' },
 ];
 

@@ -90,7 +90,7 @@ class Floor {
 
 const VERDICTS = {
   naive: {
-    en: 'You put the ring halfway along the line in the picture. So does a program that mixes values on the screen: that is the orange line of the naive picture. But the far half of the floor looks smaller than the near half, so its middle lies further up.',
+    en: 'You put the ring halfway along the line in the picture. So does a program that mixes values on the screen: that is the orange line of the naive picture. But the far half of the floor looks smaller than the near half, so the middle of the floor lies further up.',
     zh: '你把圆环放在了画面中这条线段的中点。直接在屏幕上插值的程序也是这样做的，得到“未校正”图中的橙线。但地板较远的一半看上去更小，所以真正的中点在画面上更靠上。',
   },
   right: {
