@@ -89,10 +89,15 @@ RHW_INLINE void spill_lanes(i32x8 lanes, uint32_t numbers[RHW_LANES])
     __asm__("" : "+m"(*(uint32_t(*)[RHW_LANES])numbers));
 }
 
-// Load texels by their numbers, counted from `texels`, of `size` bytes each.
+// Load texels by their numbers, counted from `texels`, of `size` bytes each. Where a pass reads what another has drawn,
+// those of a group mostly stand side by side, as a row that is loaded at once.
 RHW_INLINE void fetch_numbered_texels(size_t size, const unsigned char *texels, i32x8 number,
                                       struct raw_texels *raw)
 {
+    if (!i32x8_any_bit(number ^ (i32x8_splat_first(number) + rhw_lane_index))) {
+        load_texel_row(size, texels + (size_t)(uint32_t)number[0] * size, raw);
+        return;
+    }
     if (size == 4) {
         raw->word[0] = i32x8_gather(texels, number);
         return;
