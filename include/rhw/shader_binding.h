@@ -20,6 +20,12 @@ RHW_API int rhw_binding_sample_levels(const struct rhw_binding *binding);
 /// Return the number of samples in a texel of the binding's texture, or 0 without one.
 RHW_API int rhw_binding_sample_samples(const struct rhw_binding *binding);
 
+/// Return true if what a texture gives by a sampler may depend on the gradient, level or bias of a request. If not, all
+/// of these give the same bits, and a shader may spare them: one level is read, by one filter, without anisotropy. The
+/// sampler's binding may be that of the texture. Return false where one of them is missing.
+RHW_API bool rhw_binding_sample_needs_gradient(const struct rhw_binding *texture,
+                                               const struct rhw_binding *sampler);
+
 /// Return the number of whole words of the binding's bytes, or 0 without any.
 RHW_API uint32_t rhw_binding_storage_count(const struct rhw_binding *binding);
 

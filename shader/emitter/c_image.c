@@ -218,6 +218,14 @@ bool shader_c_write_image(struct shader_emitter *emitter, uint32_t place)
                         "");
         return true;
     case SHADER_IMAGE_STORE: write_image_store(emitter, value); return true;
+    case SHADER_NEEDS_GRADIENT:
+        shader_c_define(
+            emitter, value,
+            shader_format(emitter->memory,
+                          "rhw_splat_int(-rhw_binding_sample_needs_gradient(binding%u, binding%u))",
+                          (unsigned)node->operands[0], (unsigned)node->operands[1]),
+            "");
+        return true;
     default: return false;
     }
 }

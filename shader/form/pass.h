@@ -5,6 +5,8 @@
 
 #include "form.h"
 
+// gradient.c. Compute what gradients of samples alone need where the texture and the sampler that are bound need them.
+void shader_ask_for_gradients(struct shader_program *program);
 // keep.c. Give a home to every value that is read behind the IF, REGION or LOOP in which it is computed: lanes that
 // were not active there, or have left a loop before its last round, read what they last computed, or 0.
 void shader_keep_values(struct shader_program *program);

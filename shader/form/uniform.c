@@ -94,6 +94,7 @@ void shader_run_passes(struct shader_program *program)
     shader_build_derivatives(program);
     shader_simplify(program);
     shader_share_values(program);
+    shader_ask_for_gradients(program);
     shader_keep_values(program);
     shader_forward_copies(program);
     shader_remove_dead(program);

@@ -345,8 +345,11 @@ static void add_node(struct assembler *assembler, uint32_t value)
     }
     instruction->immediate = node->immediate;
     if (op == SHADER_LOAD || op == SHADER_STORE || op == SHADER_STORE8 || op == SHADER_STORE16 ||
-        op == SHADER_LENGTH) {
+        op == SHADER_LENGTH || op == SHADER_NEEDS_GRADIENT) {
         instruction->resource = resource_of(assembler, node->operands[0]);
+    }
+    if (op == SHADER_NEEDS_GRADIENT) {
+        instruction->immediate = resource_of(assembler, node->operands[1]);
     }
     instruction->a = operands[0];
     instruction->b = operands[1];

@@ -74,6 +74,7 @@ static shader_kernel *const kernels[SHADER_COUNT_OPS] = {
     ENTRY(BUFFER),
     ENTRY(SAMPLE),
     ENTRY(PART),
+    ENTRY(NEEDS_GRADIENT),
     ENTRY(IMAGE_STORE),
     ENTRY(INPUT_DX),
     ENTRY(INPUT_DY),

@@ -216,6 +216,15 @@ static void run_PART(struct frame *frame, const struct shader_instruction *in)
     }
 }
 
+static void run_NEEDS_GRADIENT(struct frame *frame, const struct shader_instruction *in)
+{
+    const rhw_int texture = frame->registers[in->a.vector].i, sampler = frame->registers[in->b.vector].i;
+    const bool needs =
+        rhw_binding_sample_needs_gradient(binding_of(frame, in->resource, (uint32_t)texture[0]),
+                                          binding_of(frame, in->immediate, (uint32_t)sampler[0]));
+    frame->registers[in->result.vector].i = rhw_splat_int(needs ? -1 : 0);
+}
+
 static void run_IMAGE_STORE(struct frame *frame, const struct shader_instruction *in)
 {
     const struct shader_operand_of *const operands = frame->bytecode->image_operands + in->b.vector;

@@ -97,7 +97,7 @@ static void print_structure(const struct printer *printer, const struct shader_i
 static bool reaches_memory(uint32_t op)
 {
     return op == SHADER_LOAD || op == SHADER_STORE || op == SHADER_STORE8 || op == SHADER_STORE16 ||
-           op == SHADER_LENGTH;
+           op == SHADER_LENGTH || op == SHADER_NEEDS_GRADIENT;
 }
 
 // Print the name that the immediate stands for, or its number. Return whether that was all there is to say.

@@ -340,6 +340,11 @@ static void call_SAMPLE(const struct rhw_shader_frame *frame, const struct shade
     }
 }
 
+static int32_t call_NEEDS_GRADIENT(const struct shader_found *texture, const struct shader_found *sampler)
+{
+    return -rhw_binding_sample_needs_gradient(texture->binding, sampler->binding);
+}
+
 // Sample what all lanes name, at a level of detail that has no least.
 static void call_SAMPLE_ONE(const struct shader_found *one, const struct shader_request *r,
                             rhw_float texel[4], uint32_t flags)
@@ -387,6 +392,7 @@ static shader_call_function *const functions[SHADER_CALLS] = {
     ENTRY(IMAGE_ATOMIC),
     ENTRY(TABLE),
     ENTRY(SAMPLE),
+    ENTRY(NEEDS_GRADIENT),
     ENTRY(IMAGE_STORE),
     MORE(PUSH_WORD),
     MORE(PUSH),

@@ -203,6 +203,8 @@ bool shader_is_one(const struct shader_generator *g, uint32_t buffer);
 struct shader_argument shader_found_argument(struct shader_generator *g, uint32_t buffer);
 struct shader_argument shader_site_argument(struct shader_generator *g, uint32_t texture, uint32_t sampler,
                                             uint32_t flags, uint32_t width);
+// A value is what eax has, in all lanes.
+void shader_spread(struct shader_generator *g, uint32_t value);
 uint32_t shader_element_of(const struct shader_generator *g, uint32_t buffer);
 // Put textures and samplers together, once a call.
 void shader_pair_once(struct shader_generator *g);

@@ -190,12 +190,25 @@ static void place_part(struct shader_generator *g, uint32_t value)
     v->is_stored = true;
 }
 
+static void ask_for_gradient(struct shader_generator *g, uint32_t value)
+{
+    const struct shader_node *const node = &g->form->nodes[value];
+    const struct shader_invocation call = {.which = SHADER_NEEDS_GRADIENT,
+                                           .argument_count = 2,
+                                           .arguments = {shader_found_argument(g, node->operands[0]),
+                                                         shader_found_argument(g, node->operands[1])},
+                                           .result = SHADER_NONE};
+    shader_invoke(g, &call);
+    shader_spread(g, value);
+}
+
 bool shader_select_image(struct shader_generator *g, uint32_t value)
 {
     switch ((enum shader_op)g->form->nodes[value].op) {
     case SHADER_SAMPLE: invoke_image(g, value, false); return true;
     case SHADER_PART: place_part(g, value); return true;
     case SHADER_IMAGE_STORE: invoke_image(g, value, true); return true;
+    case SHADER_NEEDS_GRADIENT: ask_for_gradient(g, value); return true;
     default: return false;
     }
 }

@@ -116,6 +116,13 @@ static bool put_index(struct shader_generator *g, uint32_t offset, uint32_t more
     return false;
 }
 
+void shader_spread(struct shader_generator *g, uint32_t value)
+{
+    const int result = shader_result(g, value);
+    shader_put(g, X86_VMOVD | X86_NARROW, result, 0, x86_reg(X86_RAX));
+    shader_put(g, X86_VBROADCASTSS, result, 0, x86_reg(result));
+}
+
 static void load_push_word(struct shader_generator *g, uint32_t value)
 {
     const struct shader_node *const node = &g->form->nodes[value];
@@ -132,9 +139,7 @@ static void load_push_word(struct shader_generator *g, uint32_t value)
                                : (struct shader_argument){SHADER_BY_WORD, 0, SHADER_FRAME(number)}},
         .result = SHADER_NONE};
     shader_invoke(g, &call);
-    const int result = shader_result(g, value);
-    shader_put(g, X86_VMOVD | X86_NARROW, result, 0, x86_reg(X86_RAX));
-    shader_put(g, X86_VBROADCASTSS, result, 0, x86_reg(result));
+    shader_spread(g, value);
 }
 
 // Load the word that eax or `index` names from `words`, of which there are `count`.
@@ -383,7 +388,6 @@ static void length(struct shader_generator *g, uint32_t value)
         shader_invoke(g, &call);
         return;
     }
-    const int result = shader_result(g, value);
     const uint32_t fits = shader_label_new(&g->code);
     shader_put(g, X86_MOV, X86_RAX, 0, found_at(g, buffer, offsetof(struct shader_found, count)));
     shader_encode(&g->code, X86_CMP_I, 0, 0, x86_reg(X86_RAX), INT32_MAX / 2);
@@ -391,8 +395,7 @@ static void length(struct shader_generator *g, uint32_t value)
     shader_encode_number(&g->code, X86_RAX, INT32_MAX / 2);
     shader_label_place(&g->code, fits);
     shader_encode(&g->code, X86_SHL_I, 0, 0, x86_reg(X86_RAX), 2);
-    shader_put(g, X86_VMOVD | X86_NARROW, result, 0, x86_reg(X86_RAX));
-    shader_put(g, X86_VBROADCASTSS, result, 0, x86_reg(result));
+    shader_spread(g, value);
 }
 
 // Of a word of a buffer, or of a texel.

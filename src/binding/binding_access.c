@@ -2,6 +2,7 @@
 // What shader functions do with bindings in memory (shader_binding.h), 8 lanes at a time.
 #include "sample_access.h"
 
+#include "resource/sampler.h"
 #include "resource/texture.h"
 
 static const struct rhw_binding_data *sampled(const struct rhw_binding *binding)
@@ -73,6 +74,18 @@ int rhw_binding_sample_samples(const struct rhw_binding *binding)
 {
     const struct rhw_texture_data *const texture = rhw_bound_texture(rhw_binding_textured(binding));
     return texture ? texture->samples : 0;
+}
+
+bool rhw_binding_sample_needs_gradient(const struct rhw_binding *texture, const struct rhw_binding *sampler)
+{
+    const struct rhw_binding_data *const of = textured(texture), *const by = rhw_binding_look(sampler);
+    const bool has_sampler = by && (by->kind == RHW_BINDING_SAMPLED || by->kind == RHW_BINDING_SAMPLER);
+    if (!of || !of->texture || !has_sampler || !by->sampler) {
+        return false;
+    }
+    const struct rhw_sampler_def *const def = &by->sampler->def;
+    const bool has_levels = of->texture->levels > 1 && def->mip_filter != RHW_MIP_FILTER_NONE;
+    return has_levels || def->min_filter != def->mag_filter || def->max_anisotropy > 1;
 }
 
 void rhw_binding_sample_groups(const struct rhw_binding *table, const struct rhw_fragment *groups, int count,

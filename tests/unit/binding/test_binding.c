@@ -115,6 +115,25 @@ static void answer_by_binding(const struct rhw_binding *b, const struct question
     a->samples = rhw_binding_sample_samples(b);
 }
 
+// Where a sampler says that it needs no gradient, it gives the same bits with every level.
+static void expect_no_need(const struct rhw_binding *texture, const struct rhw_binding *by,
+                           const struct rhw_binding *pair, const struct question *q)
+{
+    const rhw_float levels[] = {rhw_splat(0.0f), rhw_splat(1.5f), rhw_splat(-80.0f), rhw_nan()};
+    assert_int_equal(rhw_binding_sample_needs_gradient(pair, pair),
+                     rhw_binding_sample_needs_gradient(texture, by));
+    for (int i = 0; i < 4 && !rhw_binding_sample_needs_gradient(texture, by); i++) {
+        const rhw_float gradient[6] = {levels[i], levels[i], levels[i], levels[i], levels[i], levels[i]};
+        struct rhw_sample_request request = q->request;
+        rhw_float expected[4], found[4];
+        rhw_binding_sample(pair, &q->request, expected);
+        request.gradient = i % 2 == 0 ? gradient : NULL;
+        request.lod = &levels[i];
+        rhw_binding_sample(pair, &request, found);
+        assert_memory_equal(found, expected, sizeof found);
+    }
+}
+
 static void expect_as_slot(const struct rig *rig, rhw_texture texture, rhw_sampler sampler, bool compares)
 {
     static struct rhw_bindings bindings;
@@ -142,7 +161,41 @@ static void expect_as_slot(const struct rig *rig, rhw_texture texture, rhw_sampl
         assert_memory_equal(found.fetch_sample, expected.fetch_sample, sizeof found.fetch_sample);
         assert_memory_equal(found.size, expected.size, sizeof found.size);
         assert_int_equal(found.levels, expected.levels);
+        expect_no_need(&alone, &by, &pair, &q);
     }
+}
+
+static void gradients_are_needed(void **state)
+{
+    (void)state;
+    static const struct {
+        int levels;
+        bool needs;
+        struct rhw_sampler_def sampler;
+    } cases[] = {{1, false, {.lod_bias = 0.25f}},
+                 {2, true, {.lod_bias = 0.25f}},
+                 {2, false, {.mip_filter = RHW_MIP_FILTER_NONE}},
+                 {1, true, {.min_filter = RHW_FILTER_NEAREST}},
+                 {1, true, {.max_anisotropy = 2}}};
+    struct rig rig;
+    rig_open(&rig, 16, 16);
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        const struct rhw_texture_def def = {
+            .format = RHW_FORMAT_RGBA8_UNORM, .width = 4, .height = 4, .mip_levels = cases[i].levels};
+        const rhw_texture texture = make_texture(&rig, &def);
+        const rhw_sampler sampler = make_sampler(&rig, &cases[i].sampler);
+        struct rhw_binding bound, alone;
+        assert_int_equal(rhw_binding_of_texture(rig.context, texture, sampler, &bound), RHW_OK);
+        assert_int_equal(rhw_binding_of_texture(rig.context, texture, (rhw_sampler){0}, &alone), RHW_OK);
+        assert_int_equal(rhw_binding_sample_needs_gradient(&bound, &bound), cases[i].needs);
+        assert_int_equal(rhw_binding_sample_needs_gradient(&alone, &bound), cases[i].needs);
+        assert_false(rhw_binding_sample_needs_gradient(&alone, &alone)); // it has no sampler
+        assert_false(rhw_binding_sample_needs_gradient(NULL, &bound));
+        assert_false(rhw_binding_sample_needs_gradient(&alone, NULL));
+        rhw_sampler_destroy(rig.context, sampler);
+        rhw_texture_destroy(rig.context, texture);
+    }
+    rig_close(&rig);
 }
 
 static void sampled_as_slots(void **state)
@@ -350,7 +403,8 @@ static void other_kinds_do_nothing(void **state)
 }
 
 static const struct CMUnitTest tests[] = {
-    cmocka_unit_test(sampled_as_slots), cmocka_unit_test(words_of_memory), cmocka_unit_test(texels_of_memory),
+    cmocka_unit_test(sampled_as_slots), cmocka_unit_test(gradients_are_needed),
+    cmocka_unit_test(words_of_memory), cmocka_unit_test(texels_of_memory),
     cmocka_unit_test(other_kinds_do_nothing)};
 
 const struct unit_tests test_binding = UNIT_TESTS(tests, NULL, NULL);

@@ -253,12 +253,70 @@ static void test_levels_follow_from_derivatives(void **state)
     close_bench(&bench);
 }
 
+static char printed[1 << 14];
+
+static void keep(void *user, const char *text, size_t size)
+{
+    size_t *const length = user;
+    assert_true(*length + size < sizeof printed);
+    memcpy(printed + *length, text, size);
+    *length += size;
+    printed[*length] = 0;
+}
+
+// What gradients alone need is computed behind a question to the sampler: here, all that there is of partner pixels.
+static void test_gradients_are_asked_for(void **state)
+{
+    (void)state;
+    const struct rhw_shader_constant which = {0, LEVELS};
+    const struct rhw_shader_def def = {
+        .stage = RHW_SHADER_FRAGMENT, .constants = &which, .constant_count = 1};
+    size_t length = 0;
+    assert_int_equal(rhw_shader_print(derivative_frag, sizeof derivative_frag, &def, RHW_SHADER_PASSED, keep,
+                                      &length, NULL),
+                     RHW_OK);
+    int partners = 0;
+    bool is_asked = false;
+    assert_non_null(strstr(printed, "= needs_gradient "));
+    for (const char *line = strtok(printed, "\n"); line; line = strtok(NULL, "\n")) {
+        is_asked =
+            strstr(line, " if u") || strncmp(line, "if u", 4) == 0 || (is_asked && !strstr(line, "end_if"));
+        const bool is_partner = strstr(line, "= input_be") || strstr(line, "gl_FragCoord");
+        assert_true(is_asked || !is_partner);
+        partners += is_partner;
+    }
+    assert_int_equal(partners, 6);
+}
+
+// A sampler of one level gives the same without a gradient.
+static void test_one_level_needs_no_gradient(void **state)
+{
+    struct bench bench;
+    (void)state;
+    open_bench(&bench);
+    rhw_context *const context = bench.rig.context;
+    const struct rhw_sampler_def def = {.mip_filter = RHW_MIP_FILTER_NONE};
+    rhw_sampler plain;
+    assert_int_equal(rhw_sampler_create(context, &def, &plain), RHW_OK);
+    assert_true(rhw_binding_sample_needs_gradient(&bench.binding, &bench.binding));
+    assert_int_equal(rhw_binding_of_texture(context, bench.image, plain, &bench.binding), RHW_OK);
+    assert_false(rhw_binding_sample_needs_gradient(&bench.binding, &bench.binding));
+    draw(&bench, LEVELS, false, 1);
+    for (int i = 0; i < WIDTH * HEIGHT; i++) {
+        assert_memory_equal(bench.pixels[i], ((const float[4]){0}), sizeof *bench.pixels);
+    }
+    rhw_sampler_destroy(context, plain);
+    close_bench(&bench);
+}
+
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_differences_are_within_the_threshold),
     cmocka_unit_test(test_perspective_is_within_the_threshold),
     cmocka_unit_test(test_widths),
     cmocka_unit_test(test_nested_and_in_branches),
     cmocka_unit_test(test_levels_follow_from_derivatives),
+    cmocka_unit_test(test_gradients_are_asked_for),
+    cmocka_unit_test(test_one_level_needs_no_gradient),
 };
 
 const struct unit_tests test_spirv_derivative = UNIT_TESTS(tests, NULL, NULL);
