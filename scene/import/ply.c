@@ -21,6 +21,8 @@
 #include "import/builder/stored_colors.h"
 #include "import/builder/vertices.h"
 
+enum { MOST_COPIES = 64 };
+
 static bool has_magic(const unsigned char *start, size_t size)
 {
     const size_t mark =
@@ -347,8 +349,7 @@ static void color_faces(struct ply *ply)
 // Return true if the texture of a triangle has this number, or if the triangle has no texture and it is −1.
 static bool has_texture(const struct ply *ply, uint32_t triangle, int texture)
 {
-    const int32_t number = ply->face_textures[ply->rows[triangle]];
-    return (number < ply->texture_count ? number : -1) == texture;
+    return ply->face_textures[ply->rows[triangle]] == texture;
 }
 
 // Add the triangles whose texture has this number, or has none if it is −1. With `join`, corners have vertices of their
@@ -390,7 +391,8 @@ static void add_textured(struct ply *ply, int texture, bool join)
 static void add_triangles(struct ply *ply)
 {
     struct scene_mesh *mesh = &ply->mesh;
-    const bool join = ply->wedges != NULL || ply->face_colors.present;
+    // A copy of all vertices for each texture would be much where there are many.
+    const bool join = ply->wedges != NULL || ply->face_colors.present || ply->texture_count > MOST_COPIES;
     mesh->primitive = SCENE_PRIMITIVE_TRIANGLES;
     mesh->index_count = (uint32_t)ply->index_count;
     if (ply->wedges != NULL) {
@@ -498,6 +500,10 @@ void scene_import_ply(struct scene_import *import)
     }
     if (ply.small_faces > 0) {
         scene_import_warn(import, "%u faces of fewer than three corners are left out", ply.small_faces);
+    }
+    if (ply.stray_textures > 0) {
+        scene_import_unsupported(import, "textures of %u faces (PLY): the file has none of their numbers",
+                                 ply.stray_textures);
     }
     add_meshes(&ply);
     free(bytes);

@@ -24,7 +24,7 @@ enum encoding { ASCII, LITTLE_ENDIAN_BINARY, BIG_ENDIAN_BINARY };
 // What a property that is no list is for.
 enum target { X, Y, Z, NX, NY, NZ, U, V, RED, GREEN, BLUE, ALPHA, TARGETS, UNUSED = TARGETS };
 
-enum { MOST_ELEMENTS = 32, MOST_PROPERTIES = 256, MOST_TEXTURES = 64 };
+enum { MOST_ELEMENTS = 32, MOST_PROPERTIES = 256, MOST_TEXTURES = 256 };
 
 struct property {
     struct scene_word name;
@@ -67,14 +67,15 @@ struct ply {
     float (*wedges)[2]; // texture coordinates of each corner; NULL if there are none
     size_t wedge_capacity;
     struct ply_colors vertex_colors, face_colors, edge_colors;
-    bool translucent;     // some vertex or face is
-    uint32_t small_faces; // number of faces with fewer than three corners
+    bool translucent;        // some vertex or face is
+    uint32_t small_faces;    // number of faces with fewer than three corners
+    uint32_t stray_textures; // number of faces whose texture is not there
     struct scene_polygons polygons;
     bool has_rows;  // triangles have `rows`
     uint32_t *rows; // row of each triangle, by which face_colors and face_textures know it
     uint32_t row_count;
     size_t row_capacity;
-    int32_t *face_textures; // number of the texture of each row; NULL if the file has none
+    int32_t *face_textures; // number of the texture of each row, −1 for none; NULL if the file has none
     size_t face_texture_count, face_texture_capacity;
 };
 

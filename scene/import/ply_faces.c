@@ -185,16 +185,19 @@ static void reserve_triangles(struct ply *ply, const struct element *element,
     }
 }
 
-static int32_t texture_number(double number)
+// Return the number of a texture of the file, or −1 for none. Count faces with one that the file does not have.
+static int32_t texture_number(struct ply *ply, double number)
 {
-    return number >= 0 && number < MOST_TEXTURES ? (int32_t)number : -1;
+    const bool is_there = number >= 0 && number < ply->texture_count;
+    ply->stray_textures += ply->texture_count > 1 && !is_there && number != -1;
+    return is_there ? (int32_t)number : -1;
 }
 
 // Read what a row has beside its corners.
 static void read_property(struct ply *ply, const struct property *property, int place, struct face *face)
 {
     if (face->uses[place] == USE_TEXTURE) {
-        face->texture = texture_number(scene_ply_number(ply, property->type));
+        face->texture = texture_number(ply, scene_ply_number(ply, property->type));
     } else if (face->uses[place] == USE_VALUE) {
         face->values[face->targets[place]] = (float)scene_ply_number(ply, property->type);
     } else {

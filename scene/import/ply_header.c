@@ -84,6 +84,15 @@ static void parse_format(struct ply *ply, struct scene_line line, unsigned numbe
     }
 }
 
+static void add_texture(struct ply *ply, struct scene_word name)
+{
+    if (ply->texture_count == MOST_TEXTURES) {
+        scene_import_unsupported(ply->import, "textures after the first %d (PLY): not drawn", MOST_TEXTURES);
+        return;
+    }
+    ply->textures[ply->texture_count++] = name;
+}
+
 void scene_ply_read_header(struct ply *ply)
 {
     struct scene_text *text = &ply->text;
@@ -103,9 +112,8 @@ void scene_ply_read_header(struct ply *ply)
         } else if (scene_word_is(word, "property")) {
             parse_property(ply, line, text->line);
         } else if (scene_word_is(word, "comment")) {
-            if (scene_text_word(&line, &word) && scene_word_is(word, "TextureFile") &&
-                ply->texture_count < MOST_TEXTURES) {
-                ply->textures[ply->texture_count++] = scene_text_rest(line);
+            if (scene_text_word(&line, &word) && scene_word_is(word, "TextureFile")) {
+                add_texture(ply, scene_text_rest(line));
             }
         } // "ply", "obj_info" and words that exporters have invented say nothing
     }

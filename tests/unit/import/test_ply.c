@@ -3,6 +3,7 @@
 #include "model_files.h"
 
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #define VERTICES     "property float x\nproperty float y\nproperty float z\n"
@@ -155,6 +156,45 @@ static void test_textures(void **state)
         }
     }
     scene_model_free(model);
+}
+
+// A file with many textures is drawn with them. What is beyond the limit, and a number that no texture has, are told.
+static void test_many_textures(void **state)
+{
+    (void)state;
+    enum { LENGTH = 40000 };
+    static const int counts[] = {70, 256, 300};
+    for (int k = 0; k < 3; k++) {
+        char *const text = calloc(LENGTH, 1);
+        int at = snprintf(text, LENGTH, "ply\nformat ascii 1.0\n");
+        for (int i = 0; i < counts[k]; i++) {
+            at += snprintf(text + at, (size_t)(LENGTH - at), "comment TextureFile %d.tga\n", i);
+        }
+        at += snprintf(text + at, (size_t)(LENGTH - at),
+                       "element vertex 3\n" VERTICES "element face %d\n" LIST
+                       "property list uchar float texcoord\nproperty int texnumber\nend_header\n"
+                       "0 0 0\n1 0 0\n1 1 0\n",
+                       counts[k] + 2);
+        for (int i = -1; i <= counts[k]; i++) {
+            at += snprintf(text + at, (size_t)(LENGTH - at), "3 0 1 2 6 0 0 1 0 0 1 %d\n", i);
+        }
+        struct scene_model *model = load_text("t.ply", text);
+        const uint32_t there = counts[k] < 256 ? (uint32_t)counts[k] : 256;
+        assert_int_equal(model->mesh_count, there + 1);
+        assert_int_equal(model->image_count, there);
+        assert_int_equal(model->meshes[0].index_count, 3 * ((uint32_t)counts[k] + 2 - there));
+        assert_int_equal(model->meshes[there].vertex_count, 3);
+        char beyond[96];
+        snprintf(beyond, sizeof beyond, "textures of %u faces (PLY): the file has none of their numbers",
+                 (unsigned)counts[k] + 1 - there);
+        assert_int_equal(model->unsupported_count, counts[k] > 256 ? 2 : 1);
+        assert_string_equal(model->unsupported[model->unsupported_count - 1], beyond);
+        if (counts[k] > 256) {
+            assert_string_equal(model->unsupported[0], "textures after the first 256 (PLY): not drawn");
+        }
+        scene_model_free(model);
+        free(text);
+    }
 }
 
 // The name of the model may stand for itself at the start of a texture's.
@@ -370,6 +410,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_vertex_colors),
     cmocka_unit_test(test_all_colors),
     cmocka_unit_test(test_textures),
+    cmocka_unit_test(test_many_textures),
     cmocka_unit_test(test_texture_named_by_model),
     cmocka_unit_test(test_faces_beside_strips),
 };
