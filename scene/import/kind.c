@@ -105,6 +105,21 @@ static const struct {
     {"ASSIMP.binary-dump", "a binary dump of assimp"},
 };
 
+// How archives and compressed files begin, each with the one format of models that it may be, or for ZIP, which many
+// are, with the ending that says no more.
+static const struct {
+    const char *mark, *name, *but, *only;
+} archives[] = {
+    {"\x1f\x8b", "compressed by gzip", "blend", NULL},
+    {"BZh", "compressed by bzip2", NULL, NULL},
+    {"\xfd"
+     "7zXZ",
+     "compressed by xz", NULL, NULL},
+    {"7z\xbc\xaf\x27\x1c", "a 7-Zip archive", NULL, NULL},
+    {"Rar!\x1a", "a RAR archive", NULL, NULL},
+    {"PK\3\4", "a ZIP archive", NULL, "zip"},
+};
+
 // Files that are no model, whatever their names say. A reader would complain of details.
 static const struct {
     const char *mark, *name;
@@ -226,10 +241,26 @@ static void refuse_marked(struct scene_import *import, const struct beginning *s
     }
 }
 
+static bool ends_in(const struct scene_import *import, const char *ending)
+{
+    return strcasecmp(import->ending, ending) == 0;
+}
+
+static void refuse_archive(struct scene_import *import, const struct beginning *start)
+{
+    for (size_t i = 0; i < sizeof archives / sizeof archives[0]; i++) {
+        if (begins_with(start, archives[i].mark) &&
+            (archives[i].but == NULL || !ends_in(import, archives[i].but)) &&
+            (archives[i].only == NULL || ends_in(import, archives[i].only))) {
+            scene_import_fail(import, "is %s, which is to be unpacked first", archives[i].name);
+        }
+    }
+}
+
 // Refuse a file for the ending of its name. An IFC may be called STEP.
 static void refuse_unread(struct scene_import *import, const struct beginning *start)
 {
-    if (strcasecmp(import->ending, "amf") == 0 && begins_with(start, "PK\3\4")) {
+    if (ends_in(import, "amf") && begins_with(start, "PK\3\4")) {
         refuse_by_name(import, "an AMF in a ZIP archive");
     }
     for (size_t i = 0; i < sizeof unread / sizeof unread[0] && !is_exchange_file(start); i++) {
@@ -237,6 +268,7 @@ static void refuse_unread(struct scene_import *import, const struct beginning *s
             refuse_by_name(import, unread[i].name);
         }
     }
+    refuse_archive(import, start);
 }
 
 // Return true for a text whose first word outside of comments is one of OBJ's.
@@ -266,11 +298,6 @@ static bool looks_like_stl(const struct beginning *start)
     const uint64_t facets = b[80] | (uint64_t)b[81] << 8 | (uint64_t)b[82] << 16 | (uint64_t)b[83] << 24;
     return strncmp(find_text(start), "solid ", 6) == 0 ||
            (start->count > 84 && start->file_size == 84 + 50 * facets);
-}
-
-static bool ends_in(const struct scene_import *import, const char *ending)
-{
-    return strcasecmp(import->ending, ending) == 0;
 }
 
 void scene_import_read(struct scene_import *import)
