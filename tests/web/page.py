@@ -524,6 +524,9 @@ class Page(PageCase):
         levels = self.script("return [...document.querySelectorAll('h1, h2, h3, h4')].map((head) => Number(head.tagName[1]))")
         self.assertTrue(all(after <= before + 1 for before, after in zip(levels, levels[1:])), levels)
 
+        names = [name for role, name in roles if role in ("button", "heading")]
+        self.assertEqual([name for name in names if re.search(r"\Swhy\?|[\u4e00-\u9fff]", name) and name != "中文"], [], "in one language, word by word")
+        self.assertEqual([name for name in names if name in ("A", "B")], [], "what is dragged is more than a letter")
         controls = ("button", "link", "slider", "heading", "image", "img", "application")
         self.assertEqual([role for role, name in roles if role in controls and not (name or "").strip()], [], "each has a name")
         self.assertEqual(self.script("return [...document.querySelectorAll('[data-name]')].filter((row) => row.role !== 'group' || !row.ariaLabel).length"), 0)

@@ -82,7 +82,8 @@ export function headingOf(chapter, title, why) {
   const head = document.createElement(chapter.querySelector('h1') ? 'h2' : 'h3'); // one below that of the chapter
   head.textContent = say(title);
   if (why && why !== chapter.id) {
-    const link = head.appendChild(document.createElement('a'));
+    const link = document.createElement('a');
+    head.append(' ', link); // who hears it hears two words
     link.className = 'why';
     link.href = `#${why}`;
     link.textContent = say({ en: 'why?', zh: '为什么？' });

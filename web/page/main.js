@@ -2,7 +2,7 @@
 // Begins: loads the library, starts each chapter when it comes near, and the three switches.
 import { startContents } from './contents.js';
 import { startHearing } from './heard.js';
-import { language, setLanguage, whenLanguage } from './language.js';
+import { language, say, setLanguage, whenLanguage } from './language.js';
 import { typeset } from './math.js';
 import { Stage } from './stage.js';
 import { keepState, noteInAddress, parse } from './state.js';
@@ -59,7 +59,9 @@ function startTheme() {
   const told = () => ['dark', 'light'].find((name) => name === parse(location.hash).values.get('theme'));
   set(told() ?? kept('theme') ?? (dark.matches ? 'dark' : 'light'));
   addEventListener('hashchange', () => told() && set(told()));
-  document.querySelector('#theme').addEventListener('click', () => {
+  const button = document.querySelector('#theme');
+  whenLanguage(() => button.setAttribute('aria-label', say({ en: 'dark or light', zh: '深色或浅色' })));
+  button.addEventListener('click', () => {
     set(document.documentElement.dataset.theme === 'dark' ? 'light' : 'dark');
     keep('theme', document.documentElement.dataset.theme);
     noteInAddress('theme', document.documentElement.dataset.theme);

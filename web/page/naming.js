@@ -8,6 +8,11 @@ export function nameDrawing(root, name) {
   whenLanguage(() => root.setAttribute('aria-label', say(name)));
 }
 
+/** Names a corner to drag, and says its keys. */
+export function nameCorner(node, name) {
+  whenLanguage(() => node.setAttribute('aria-label', say({ en: `corner ${name}: arrow keys, page up and down`, zh: `顶点 ${name}：方向键与翻页键移动` })));
+}
+
 /** What makes a slider of a part of a drawing, at a part of its way. */
 export const percentOf = (part) => ({ role: 'slider', 'aria-valuemin': 0, 'aria-valuemax': 100, 'aria-valuenow': Math.round(100 * part) });
 

@@ -2,7 +2,7 @@
 // Curves over a line of pixels: each {name, values [count], kind, scale, ends}, all over the same places: the middles of as many
 // pixels; and at its two ends, where it reaches them. Axes with their numbers, and a line at the
 // explained place; where that can be dragged, a dot on each curve with its value.
-import { say } from './language.js';
+import { say, whenLanguage } from './language.js';
 import { short } from './math.js';
 import { nameDrawing, percentOf } from './naming.js';
 import { sizeOf } from './size.js';
@@ -24,7 +24,8 @@ export class Plot {
     node.append(this.root);
     this.lines = svg(this.root, 'g');
     if (slides) {
-      this.handle = svg(this.root, 'g', { class: 'handle mark', tabindex: 0, 'aria-label': "P'", ...percentOf(0) });
+      this.handle = svg(this.root, 'g', { class: 'handle mark', tabindex: 0, ...percentOf(0) });
+      whenLanguage(() => this.handle.setAttribute('aria-label', say({ en: "P' on the screen", zh: "屏幕上的 P'" })));
       svg(this.handle, 'circle', { class: 'reach', r: 18 });
       svg(this.handle, 'circle', { r: 6 });
       svg(this.handle, 'text', { x: 9, y: -8 }, "P'");

@@ -2,7 +2,7 @@
 // The scene from above: the eye, what it sees, the picture's plane, the triangle with corners to drag in depth, the ray through
 // the pixel and the point P that it meets. Here one sees why halfway on the screen is not halfway in space.
 import { say } from './language.js';
-import { nameDrawing } from './naming.js';
+import { nameCorner, nameDrawing } from './naming.js';
 import { sizeOf } from './size.js';
 import { write } from './slots.js';
 import { draggable, points, set, svg } from './svg.js';
@@ -44,7 +44,8 @@ export class TopView {
   }
 
   #handle(corner, name) {
-    const node = svg(this.root, 'g', { class: `handle corner${name}`, tabindex: 0, role: 'button', 'aria-label': name });
+    const node = svg(this.root, 'g', { class: `handle corner${name}`, tabindex: 0, role: 'button' });
+    nameCorner(node, name);
     svg(node, 'circle', { class: 'reach', r: 18 });
     svg(node, 'circle', { class: 'dot', r: 6 });
     svg(node, 'text', { x: 9, y: 4 }, name);

@@ -3,7 +3,7 @@
 // drawing, the pixel that is explained and what a term means there), and the pointer.
 import { nextFrame } from './frame.js';
 import { say, whenLanguage } from './language.js';
-import { namePicture } from './naming.js';
+import { nameCorner, namePicture } from './naming.js';
 import { onScreen, Overlay } from './overlay.js';
 import { measure, sizeOf } from './size.js';
 import { script } from './stage.js';
@@ -92,12 +92,7 @@ export class View {
     svg(node, 'circle', { class: 'reach', r: 22 });
     svg(node, 'circle', { class: 'dot', r: 8 });
     svg(node, 'text', { x: 12, y: 5 }, name);
-    whenLanguage(() =>
-      node.setAttribute(
-        'aria-label',
-        say({ en: `corner ${name}: arrow keys, page up and down`, zh: `顶点 ${name}：方向键与翻页键移动` }),
-      ),
-    );
+    nameCorner(node, name);
     draggable(node, {
       move: (dx, dy, event) => (event.shiftKey ? this.#push(corner, -dy) : this.#shift(corner, dx, dy)),
       step: (dx, dy, deeper) => (deeper ? this.#push(corner, 10 * deeper) : this.#shift(corner, 4 * dx, 4 * dy)),

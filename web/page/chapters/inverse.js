@@ -41,13 +41,13 @@ class Drawing {
     this.half = svg(this.root, 'circle', { class: 'half', r: 4 });
     svg(this.root, 'circle', { class: 'eye', r: 5 });
     this.handles = this.ends.map((end, i) => this.#end(end, 'AB'[i]));
-    this.p = this.#mark('P', 'P');
+    this.p = this.#mark('P', { en: 'P on the edge', zh: '线段上的 P' });
     draggable(this.p, {
       move: (dx, dy) => this.#slideAlong(dx / this.scale, -dy / this.scale),
       step: (dx, dy) => this.#slideAlong(dx / 20, -dy / 20),
       ends: (part) => this.set(part),
     });
-    this.shadow = this.#mark("P'", "P'");
+    this.shadow = this.#mark("P'", { en: "P' on the screen", zh: "屏幕上的 P'" });
     this.pictures = ["A'", "B'"].map((name) => svg(this.root, 'text', { class: 'caption' }, name));
     this.names = CAPTIONS.map(() => svg(this.root, 'text', { class: 'caption' }));
     draggable(this.shadow, {
@@ -59,7 +59,8 @@ class Drawing {
   }
 
   #end(end, name) {
-    const node = svg(this.root, 'g', { class: `handle corner${name}`, tabindex: 0, role: 'button', 'aria-label': name });
+    const node = svg(this.root, 'g', { class: `handle corner${name}`, tabindex: 0, role: 'button' });
+    whenLanguage(() => node.setAttribute('aria-label', say({ en: `end ${name} of the edge: arrow keys`, zh: `端点 ${name}：方向键移动` })));
     svg(node, 'circle', { class: 'reach', r: 18 });
     svg(node, 'circle', { class: 'dot', r: 7 });
     svg(node, 'text', { x: 11, y: 5 }, name);
@@ -73,7 +74,8 @@ class Drawing {
   }
 
   #mark(name, label) {
-    const node = svg(this.root, 'g', { class: 'handle mark', tabindex: 0, 'aria-label': label, ...percentOf(0) });
+    const node = svg(this.root, 'g', { class: 'handle mark', tabindex: 0, ...percentOf(0) });
+    whenLanguage(() => node.setAttribute('aria-label', say(label)));
     svg(node, 'circle', { class: 'reach', r: 16 });
     svg(node, 'circle', { r: 6 });
     svg(node, 'text', { x: 10, y: 16 }, name);
