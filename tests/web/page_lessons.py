@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 """What the page's chapters ask and answer, held to the numbers of their pixels; and what its address says."""
+import base64
 import os
 import re
 import sys
@@ -45,6 +46,15 @@ class Lessons(PageCase):
         self.wait("document.querySelectorAll('#first .middle')[1].points.length === 2")
         self.assertLess(ring_on(1), 1.5)
         self.assertGreater(ring_on(0), 20)
+
+        self.size(1200, 704)  # README's picture of the page
+        self.script("rhw.views.first.restore(new URLSearchParams('mark=0.5&shown=1')); scrollTo(0, 0)")
+        self.wait("document.querySelectorAll('#first .middle')[1].points.length === 2 && rhw.views.first.canvas.width < 640")
+        time.sleep(0.5)
+        picture = self.browser.execute_cdp_cmd("Page.captureScreenshot", {"format": "webp", "quality": 80})["data"]
+        with open(os.path.join(sys.argv[3], "page.webp"), "wb") as file:
+            file.write(base64.b64decode(picture))
+        self.size(1440, 900)
 
     def test_shares_are_the_pixels_weights(self):
         self.show("weights")
