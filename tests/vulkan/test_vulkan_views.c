@@ -36,34 +36,42 @@ static void begin_viewing(struct viewing *v, const uint32_t *fragment, size_t si
     v->border = VK_BORDER_COLOR_FLOAT_OPAQUE_WHITE;
 }
 
-// Return an image whose views may have other formats.
-static VkImage make_image(struct rig *rig, VkFormat format)
+// Create an image whose views may have other formats.
+static VkImage create_image(struct rig *rig, VkFormat format, VkImageCreateFlags flags, uint32_t side,
+                            uint32_t levels, uint32_t layers)
 {
     const VkImageCreateInfo info = {.sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO,
-                                    .flags = VK_IMAGE_CREATE_MUTABLE_FORMAT_BIT,
+                                    .flags = VK_IMAGE_CREATE_MUTABLE_FORMAT_BIT | flags,
                                     .imageType = VK_IMAGE_TYPE_2D,
                                     .format = format,
-                                    .extent = {SIDE, SIDE, 1},
-                                    .mipLevels = 1,
-                                    .arrayLayers = 1,
+                                    .extent = {side, side, 1},
+                                    .mipLevels = levels,
+                                    .arrayLayers = layers,
                                     .samples = VK_SAMPLE_COUNT_1_BIT,
                                     .usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT};
     VkImage image;
     CHECK(vkCreateImage(rig->device, &info, NULL, &image));
+    return image;
+}
+
+// Return an image of one level in memory of its own.
+static VkImage make_image(struct rig *rig, VkFormat format)
+{
+    VkImage image = create_image(rig, format, 0, SIDE, 1, 1);
     rig_back(rig, image);
     return image;
 }
 
-// Bind a view of an image with a sampler of nearest texels.
-static void bind_view(struct viewing *v, VkImage image, VkFormat format, float anisotropy)
+// Bind a view of a level and layer of an image with a sampler of nearest texels.
+static void bind_part(struct viewing *v, VkImage image, VkFormat format, uint32_t level, uint32_t layer,
+                      float anisotropy)
 {
     struct rig *const rig = &v->rig;
-    const VkImageViewCreateInfo info = {
-        .sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO,
-        .image = image,
-        .viewType = VK_IMAGE_VIEW_TYPE_2D,
-        .format = format,
-        .subresourceRange = {.aspectMask = VK_IMAGE_ASPECT_COLOR_BIT, .levelCount = 1, .layerCount = 1}};
+    const VkImageViewCreateInfo info = {.sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO,
+                                        .image = image,
+                                        .viewType = VK_IMAGE_VIEW_TYPE_2D,
+                                        .format = format,
+                                        .subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, level, 1, layer, 1}};
     const VkSamplerCreateInfo sampler_info = {.sType = VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO,
                                               .magFilter = VK_FILTER_NEAREST,
                                               .minFilter = VK_FILTER_NEAREST,
@@ -82,20 +90,45 @@ static void bind_view(struct viewing *v, VkImage image, VkFormat format, float a
                    VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
 }
 
-// Write all texels or blocks of an image, draw, and return the colour.
-static uint32_t draw_view(struct viewing *v, VkImage image, const void *bytes, size_t size)
+static void bind_view(struct viewing *v, VkImage image, VkFormat format, float anisotropy)
+{
+    bind_part(v, image, format, 0, 0, anisotropy);
+}
+
+// Let all levels and layers of an image go from one layout to another.
+static void change_layout(struct viewing *v, VkImage image, VkImageLayout from, VkImageLayout to)
+{
+    const VkImageMemoryBarrier barrier = {
+        .sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER,
+        .srcAccessMask = VK_ACCESS_MEMORY_WRITE_BIT,
+        .dstAccessMask = VK_ACCESS_MEMORY_READ_BIT | VK_ACCESS_MEMORY_WRITE_BIT,
+        .oldLayout = from,
+        .newLayout = to,
+        .srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
+        .dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
+        .image = image,
+        .subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, VK_REMAINING_MIP_LEVELS, 0,
+                             VK_REMAINING_ARRAY_LAYERS}};
+    vkCmdPipelineBarrier(v->rig.commands, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT,
+                         VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, 0, 0, NULL, 0, NULL, 1, &barrier);
+}
+
+// Write texels or blocks of one part of an image that is in TRANSFER_DST_OPTIMAL.
+static void write_part(struct viewing *v, VkImage image, uint32_t level, uint32_t layer, uint32_t side,
+                       const void *bytes, size_t size)
+{
+    const struct rig_buffer buffer = rig_buffer(&v->rig, size, bytes);
+    const VkBufferImageCopy copy = {.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, level, layer, 1},
+                                    .imageExtent = {side, side, 1}};
+    vkCmdCopyBufferToImage(v->rig.commands, buffer.buffer, image, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1,
+                           &copy);
+}
+
+// Draw what is bound, and return the colour.
+static uint32_t draw(struct viewing *v)
 {
     struct rig *const rig = &v->rig;
-    const struct rig_image whole = {.image = image, .width = SIDE, .height = SIDE, .layers = 1};
-    const struct rig_buffer buffer = rig_buffer(rig, size, bytes);
-    const VkBufferImageCopy copy = {
-        .imageSubresource = {.aspectMask = VK_IMAGE_ASPECT_COLOR_BIT, .layerCount = 1},
-        .imageExtent = {SIDE, SIDE, 1}};
     const float push[9] = {-1, -1, 1, 1, v->at, v->at};
-    rig_barrier(rig, &whole, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL);
-    vkCmdCopyBufferToImage(rig->commands, buffer.buffer, image, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1,
-                           &copy);
-    rig_barrier(rig, &whole, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
     picture_begin(&v->picture);
     vkCmdBindPipeline(rig->commands, VK_PIPELINE_BIND_POINT_GRAPHICS, v->pipeline);
     vkCmdBindDescriptorSets(rig->commands, VK_PIPELINE_BIND_POINT_GRAPHICS, v->state.layout, 0, 1, &v->set, 0,
@@ -104,6 +137,16 @@ static uint32_t draw_view(struct viewing *v, VkImage image, const void *bytes, s
     vkCmdDraw(rig->commands, 6, 1, 0, 0);
     picture_end(&v->picture);
     return picture_texel(&v->picture, 30, 30);
+}
+
+// Write all texels or blocks of an image, draw, and return the colour.
+static uint32_t draw_view(struct viewing *v, VkImage image, const void *bytes, size_t size)
+{
+    const VkImageLayout written = VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL;
+    change_layout(v, image, VK_IMAGE_LAYOUT_UNDEFINED, written);
+    write_part(v, image, 0, 0, SIDE, bytes, size);
+    change_layout(v, image, written, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
+    return draw(v);
 }
 
 static void blocks_are_read_with_either_sign(void **state)
@@ -122,6 +165,72 @@ static void blocks_are_read_with_either_sign(void **state)
         assert_int_equal(draw_view(&v, image, blocks[1], sizeof blocks[1]), reds[i][1] << 24 | 0xff);
         rig_close(&v.rig);
     }
+}
+
+// Each level and layer of an image has blocks of one value, 4 + 8 · level + 16 · layer.
+static void each_level_and_layer_has_either_sign(void **state)
+{
+    (void)state;
+    enum { LEVELS = 3, LAYERS = 2, WHOLE = 4 * SIDE, BLOCKS = 16 };
+    const VkImageLayout written = VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL;
+    struct viewing v;
+    begin_viewing(&v, viewed_frag, sizeof viewed_frag);
+    VkImage image = create_image(&v.rig, VK_FORMAT_BC4_UNORM_BLOCK, 0, WHOLE, LEVELS, LAYERS);
+    rig_back(&v.rig, image);
+    change_layout(&v, image, VK_IMAGE_LAYOUT_UNDEFINED, written);
+    for (uint32_t i = 0; i < LEVELS * LAYERS; i++) {
+        const uint32_t level = i % LEVELS, layer = i / LEVELS;
+        uint8_t blocks[BLOCKS][8] = {{0}};
+        for (int b = 0; b < BLOCKS; b++) {
+            blocks[b][0] = blocks[b][1] = (uint8_t)(4 + 8 * level + 16 * layer);
+        }
+        write_part(&v, image, level, layer, WHOLE >> level, blocks, sizeof blocks >> 2 * level);
+    }
+    change_layout(&v, image, written, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
+    for (uint32_t i = 0; i < 2 * LEVELS * LAYERS; i++) {
+        const uint32_t level = i / 2 % LEVELS, layer = i / 2 / LEVELS, byte = 4 + 8 * level + 16 * layer;
+        const bool has_sign = i % 2;
+        bind_part(&v, image, has_sign ? VK_FORMAT_BC4_SNORM_BLOCK : VK_FORMAT_BC4_UNORM_BLOCK, level, layer,
+                  1);
+        const uint32_t red = has_sign ? (byte * 510 + 127) / 254 : byte; // of byte / 127, or of byte / 255
+        assert_int_equal(draw(&v), red << 24 | 0xff);
+    }
+    rig_close(&v.rig);
+}
+
+// Two images share all of their memory, and one of them is viewed with the other sign. What is written by the other one is
+// seen.
+static void aliases_have_either_sign(void **state)
+{
+    (void)state;
+    static const uint8_t blocks[2][8] = {{64, 64}, {32, 32}};
+    static const uint32_t reds[2] = {129, 64}; // of 64 / 127 and 32 / 127
+    struct viewing v;
+    begin_viewing(&v, viewed_frag, sizeof viewed_frag);
+    VkImage images[2];
+    VkMemoryRequirements needs;
+    VkDeviceMemory memory;
+    for (int i = 0; i < 2; i++) {
+        images[i] = create_image(&v.rig, VK_FORMAT_BC4_UNORM_BLOCK, VK_IMAGE_CREATE_ALIAS_BIT, SIDE, 1, 1);
+        RIG_KEEP(&v.rig, IMAGE, images[i]);
+    }
+    vkGetImageMemoryRequirements(v.rig.device, images[0], &needs);
+    const VkMemoryAllocateInfo info = {.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO,
+                                       .allocationSize = needs.size,
+                                       .memoryTypeIndex = (uint32_t)__builtin_ctz(needs.memoryTypeBits)};
+    CHECK(vkAllocateMemory(v.rig.device, &info, NULL, &memory));
+    RIG_KEEP(&v.rig, DEVICE_MEMORY, memory);
+    for (int i = 0; i < 2; i++) {
+        CHECK(vkBindImageMemory(v.rig.device, images[i], memory, 0));
+    }
+    bind_view(&v, images[0], VK_FORMAT_BC4_SNORM_BLOCK, 1);
+    assert_int_equal(draw_view(&v, images[0], blocks[0], sizeof blocks[0]), reds[0] << 24 | 0xff);
+    const VkImageLayout written = VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL;
+    change_layout(&v, images[1], VK_IMAGE_LAYOUT_UNDEFINED, written);
+    write_part(&v, images[1], 0, 0, SIDE, blocks[1], sizeof blocks[1]);
+    change_layout(&v, images[1], written, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
+    assert_int_equal(draw(&v), reds[1] << 24 | 0xff);
+    rig_close(&v.rig);
 }
 
 // A border has no more channels than the format of the view.
@@ -183,6 +292,8 @@ static void nearest_integers_have_no_anisotropy(void **state)
 
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(blocks_are_read_with_either_sign),
+    cmocka_unit_test(each_level_and_layer_has_either_sign),
+    cmocka_unit_test(aliases_have_either_sign),
     cmocka_unit_test(borders_lack_what_blocks_lack),
     cmocka_unit_test(a_view_that_cannot_be_is_empty),
     cmocka_unit_test(nearest_integers_have_no_anisotropy),

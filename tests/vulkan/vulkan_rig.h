@@ -13,7 +13,7 @@
 
 void vulkan_check(VkResult result, const char *call, const char *file, int line);
 
-enum { RIG_MOST_THINGS = 64 };
+enum { RIG_MOST_THINGS = 128 };
 
 struct rig_thing {
     VkObjectType type;

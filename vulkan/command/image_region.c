@@ -2,6 +2,7 @@
 #include "image_region.h"
 
 #include "resource/format.h"
+#include "resource/image_twin.h"
 
 #include <string.h>
 

@@ -318,6 +318,7 @@ static void init_locks(VkQueue queue)
     pthread_condattr_destroy(&monotonic);
     pthread_mutex_init(&queue->lock, NULL);
     pthread_mutex_init(&queue->in_use, NULL);
+    pthread_mutex_init(&queue->twins_lock, NULL);
 }
 
 static void end_locks(VkQueue queue)
@@ -325,6 +326,7 @@ static void end_locks(VkQueue queue)
     pthread_cond_destroy(&queue->changed);
     pthread_mutex_destroy(&queue->lock);
     pthread_mutex_destroy(&queue->in_use);
+    pthread_mutex_destroy(&queue->twins_lock);
 }
 
 VkResult vulkan_queue_init(VkQueue queue, VkDevice device)

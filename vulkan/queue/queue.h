@@ -36,6 +36,8 @@ struct VkQueue_T {
     pthread_mutex_t lock;             ///< guards what stands behind it
     pthread_cond_t changed;           ///< something was submitted, has run, or was signalled
     pthread_mutex_t in_use;           ///< held by the thread that calls librhw with the context
+    pthread_mutex_t twins_lock;       ///< guards `twinned`
+    VkImage twinned;                  ///< images with twins (resource/image_twin.h)
     uint64_t timeout;                 ///< nanoseconds after which a submission is given up; 0: never
     uint64_t begun;                   ///< time at which the submission under way began, of vulkan_now
     struct vulkan_arena_block *arena; ///< memory that replay keeps from one submission to the next

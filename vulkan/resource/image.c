@@ -4,6 +4,7 @@
 #include "device/formats.h"
 #include "src/driver.h"
 #include "format.h"
+#include "image_twin.h"
 #include "memory.h"
 
 static uint32_t at_level(uint32_t size, uint32_t level)
@@ -69,7 +70,7 @@ static bool is_told(VkImage image)
     return image->tiling == VK_IMAGE_TILING_OPTIMAL && !(image->flags & VK_IMAGE_CREATE_ALIAS_BIT);
 }
 
-static struct rhw_texture_def definition(VkImage image)
+struct rhw_texture_def vulkan_image_definition(VkImage image)
 {
     return (struct rhw_texture_def){
         .kind = kind_of(image->type),
@@ -89,7 +90,7 @@ static struct rhw_texture_def definition(VkImage image)
 // Set the sizes that follow from the definition. Return false if librhw has no such texture.
 static bool lay_out(VkImage image)
 {
-    const struct rhw_texture_def def = definition(image);
+    const struct rhw_texture_def def = vulkan_image_definition(image);
     rhw_driver_texture_layout(&def, &image->layout);
     const bool is_compressed = vulkan_format_is_compressed(image->vulkan_format);
     const size_t blocks = is_compressed ? vulkan_image_blocks(image, image->levels) : 0;
@@ -157,7 +158,7 @@ VKAPI_ATTR void VKAPI_CALL vkDestroyImage(VkDevice device, VkImage image,
 {
     if (image) {
         vulkan_retire_texture(&device->queue, image->texture);
-        vulkan_retire_texture(&device->queue, image->twin);
+        vulkan_image_drop_twin(&device->queue, image);
         vulkan_device_free(device, callbacks, image);
     }
 }
@@ -230,7 +231,7 @@ VKAPI_ATTR void VKAPI_CALL vkGetImageSubresourceLayout(VkDevice device, VkImage 
 VkResult vulkan_image_texture(VkQueue queue, VkImage image, rhw_texture *texture)
 {
     if (image->texture.context == 0) {
-        const struct rhw_texture_def def = definition(image);
+        const struct rhw_texture_def def = vulkan_image_definition(image);
         if (rhw_texture_create(queue->context, &def, &image->texture) != RHW_OK) {
             *texture = (rhw_texture){0};
             return VK_ERROR_DEVICE_LOST;
@@ -238,80 +239,6 @@ VkResult vulkan_image_texture(VkQueue queue, VkImage image, rhw_texture *texture
     }
     *texture = image->texture;
     return VK_SUCCESS;
-}
-
-// Compressed images with two signs -------------------------------------------------------------------
-
-// Return true if two formats read the same blocks, one of them with a sign.
-static bool are_twins(enum rhw_format a, enum rhw_format b)
-{
-    static const enum rhw_format twins[][2] = {{RHW_FORMAT_BC4_UNORM, RHW_FORMAT_BC4_SNORM},
-                                               {RHW_FORMAT_BC5_UNORM, RHW_FORMAT_BC5_SNORM},
-                                               {RHW_FORMAT_BC6H_UFLOAT, RHW_FORMAT_BC6H_SFLOAT},
-                                               {RHW_FORMAT_EAC_R11_UNORM, RHW_FORMAT_EAC_R11_SNORM},
-                                               {RHW_FORMAT_EAC_RG11_UNORM, RHW_FORMAT_EAC_RG11_SNORM}};
-    bool are = false;
-    for (size_t i = 0; i < sizeof twins / sizeof *twins; i++) {
-        are = are || (a == twins[i][0] && b == twins[i][1]) || (a == twins[i][1] && b == twins[i][0]);
-    }
-    return are;
-}
-
-static enum rhw_result decode(VkQueue queue, VkImage image, rhw_texture texture,
-                              const struct rhw_texture_region *region)
-{
-    const uint32_t level = (uint32_t)region->level;
-    const size_t row = vulkan_image_block_row(image, level), slice = vulkan_image_block_slice(image, level);
-    const size_t column = (size_t)(region->x / rhw_format_block_width(image->format));
-    const size_t first = vulkan_image_blocks(image, level) + (size_t)region->z * slice +
-                         (size_t)(region->y / rhw_format_block_height(image->format)) * row +
-                         column * rhw_format_block_bytes(image->format);
-    return rhw_texture_write_region(queue->context, texture, region, image->bytes + first, row, slice);
-}
-
-enum rhw_result vulkan_image_decode(VkQueue queue, VkImage image, const struct rhw_texture_region *region)
-{
-    rhw_texture texture;
-    if (vulkan_image_texture(queue, image, &texture) != VK_SUCCESS) {
-        return RHW_ERROR_OUT_OF_MEMORY;
-    }
-    const enum rhw_result result = decode(queue, image, texture, region);
-    return result == RHW_OK && image->twin.context != 0 ? decode(queue, image, image->twin, region) : result;
-}
-
-// Make the twin, and decode all blocks to it.
-static enum rhw_result make_twin(VkQueue queue, VkImage image, enum rhw_format format)
-{
-    struct rhw_texture_def def = definition(image);
-    def.format = format;
-    def.memory = NULL;
-    def.memory_size = 0;
-    def.memory_is_told = false;
-    enum rhw_result result = rhw_texture_create(queue->context, &def, &image->twin);
-    for (uint32_t level = 0; result == RHW_OK && level < image->levels; level++) {
-        const VkExtent3D extent = vulkan_image_extent(image, level);
-        const struct rhw_texture_region all = {.level = (int)level,
-                                               .width = (int)extent.width,
-                                               .height = (int)extent.height,
-                                               .depth = (int)image->layers};
-        result = decode(queue, image, image->twin, &all);
-    }
-    if (result != RHW_OK && image->twin.context != 0) {
-        rhw_texture_destroy(queue->context, image->twin);
-        image->twin = (rhw_texture){0};
-    }
-    return result;
-}
-
-enum rhw_result vulkan_image_texture_as(VkQueue queue, VkImage image, enum rhw_format format,
-                                        rhw_texture *texture)
-{
-    if (!are_twins(image->format, format)) {
-        return vulkan_image_texture(queue, image, texture) == VK_SUCCESS ? RHW_OK : RHW_ERROR_OUT_OF_MEMORY;
-    }
-    const enum rhw_result result = image->twin.context == 0 ? make_twin(queue, image, format) : RHW_OK;
-    *texture = image->twin;
-    return result;
 }
 
 // No image is sparse.

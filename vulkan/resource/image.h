@@ -26,20 +26,15 @@ struct VkImage_T {
     rhw_texture texture; ///< null id until a command needs it
     /// What the blocks are to views of a format that reads them with the other sign; null id until one is needed.
     rhw_texture twin;
+    VkImage next_twinned; ///< in the queue's list of images with twins
 };
+
+// Return the definition of the texture of an image.
+struct rhw_texture_def vulkan_image_definition(VkImage image);
 
 // Set *texture to the texture of an image that has memory. The queue's thread calls this. On failure, which is lost
 // memory, *texture is the null id.
 VkResult vulkan_image_texture(VkQueue queue, VkImage image, rhw_texture *texture);
-
-// Set *texture to the texture that has what a view of a format reads: the one of the image, or its twin. The queue's
-// thread calls this.
-enum rhw_result vulkan_image_texture_as(VkQueue queue, VkImage image, enum rhw_format format,
-                                        rhw_texture *texture);
-
-// Decode blocks of a compressed image that were written, to its texture and its twin. The region lies in one level. The
-// queue's thread calls this.
-enum rhw_result vulkan_image_decode(VkQueue queue, VkImage image, const struct rhw_texture_region *region);
 
 // Forget what is known about the texels of an image, because another resource may have used its memory. The queue's
 // thread calls this where the image comes from VK_IMAGE_LAYOUT_UNDEFINED.

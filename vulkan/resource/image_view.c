@@ -2,6 +2,7 @@
 #include "image_view.h"
 
 #include "format.h"
+#include "image_twin.h"
 
 static enum rhw_format view_format(const VkImageViewCreateInfo *info)
 {
