@@ -485,6 +485,19 @@ class Lessons(PageCase):
         self.assertFalse(self.node("#first .after").is_displayed(), "and the question is asked again")
         self.node("#notes").click()
 
+    def test_whoever_wants_colours_of_their_own(self):
+        color = ("return arguments[0].map((part) => document.querySelector(part)).map((node, i) =>"
+                 " getComputedStyle(node, i === 2 ? '::before' : null).backgroundColor)")
+        parts = ["#weights .bar b", "#pixel [aria-pressed='true']", "#inverse .key", "#pixel [aria-pressed='false']"]
+        own = self.script(color, parts)
+        self.browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": [{"name": "forced-colors", "value": "active"}]})
+        try:
+            forced = self.script(color, parts)
+            self.assertEqual([forced[0], forced[2]], [own[0], own[2]], "bars and names of curves keep the colours that they are known by")
+            self.assertNotEqual(forced[1], forced[3], "what is chosen is seen")
+        finally:
+            self.browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": []})
+
     def test_whoever_wants_no_motion(self):
         self.browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": [{"name": "prefers-reduced-motion", "value": "reduce"}]})
         try:
