@@ -168,7 +168,7 @@ function showCorners(parent, fragment) {
   if (clipped) {
     note(block, {
       en: 'It is clipped: what it covers is the polygon that the view leaves of it.',
-      zh: '它被裁剪：所覆盖的是视锥留下的多边形。',
+      zh: '它被裁剪过：实际覆盖的是视锥内剩下的多边形。',
     });
   }
 }
@@ -186,7 +186,7 @@ function showValues(parent, { varyings }) {
                 { en: 'rhw wrote', zh: 'rhw 的结果' }, 'ULP'], rows);
   note(block, {
     en: 'Naive is r, s, t times the corners’ values, correct a, b, c times them, in exact arithmetic. ULP is the error of what rhw wrote, in units of the last place of the largest corner value; it promises 8 at most.',
-    zh: '“未校正”是 r、s、t 与顶点值的加权和，“正确”是 a、b、c 与顶点值的加权和（精确有理数）。ULP 是 rhw 结果的误差，以顶点最大值的末位为单位；保证不超过 8。',
+    zh: '“未校正”是顶点值按 r、s、t 的加权和，“正确”是按 a、b、c 的加权和（用精确有理数算出）。ULP 是 rhw 结果的误差，以顶点最大值的末位为单位；保证不超过 8。',
   });
 }
 
