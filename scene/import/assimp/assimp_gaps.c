@@ -136,16 +136,25 @@ void scene_assimp_listen(struct scene_import *import)
 
 // Marks ---------------------------------------------------------------------------------------------
 
+// Write blanks over the comments of a text of XML, a 0 behind it.
+static void blank_comments(char *text)
+{
+    for (char *start = strstr(text, "<!--"); start != NULL; start = strstr(start, "<!--")) {
+        char *const end = strstr(start, "-->");
+        if (end == NULL) {
+            return;
+        }
+        memset(start, ' ', (size_t)(end - start));
+        start = end;
+    }
+}
+
 // Words of text formats, and of FBX, that stand for what assimp does not know.
 static void look_for_words(struct scene_import *import, const char *bytes, size_t size)
 {
     static const struct {
         const char *ending, *word, *what;
     } words[] = {
-        {"dae", "<spline", "curves"},
-        {"dae", "<brep", "boundary representations"},
-        {"dae", "<nurbs", "NURBS"},
-        {"dae", "convex_hull_of", "convex hulls of meshes"},
         {"fbx", "NurbsSurface", "NURBS surfaces"},
         {"fbx", "NurbsCurve", "NURBS curves"},
         {"fbx", "VertexCacheDeformer", "movements of vertices that are in a file beside it"},
@@ -165,9 +174,7 @@ static void look_for_words(struct scene_import *import, const char *bytes, size_
     };
     for (size_t i = 0; i < sizeof words / sizeof words[0]; i++) {
         const size_t length = strlen(words[i].word);
-        const bool is_zae = strcasecmp(import->ending, "zae") == 0;
-        const char *const ending = is_zae ? "dae" : import->ending;
-        if (strcasecmp(ending, words[i].ending) != 0) {
+        if (strcasecmp(import->ending, words[i].ending) != 0) {
             continue;
         }
         const char *place = bytes, *end = bytes + size;
@@ -209,6 +216,9 @@ void scene_assimp_find_gaps(struct scene_import *import)
     if (bytes == NULL) {
         scene_import_warn(import, "cannot be looked through for what is not drawn: %s", problem);
         return;
+    }
+    if (strcasecmp(import->ending, "x3d") == 0 || strcasecmp(import->ending, "amf") == 0) {
+        blank_comments(bytes);
     }
     look_for_words(import, bytes, size);
     look_for_frames(import, (const unsigned char *)bytes, size);

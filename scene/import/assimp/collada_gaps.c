@@ -1,17 +1,30 @@
 // SPDX-License-Identifier: MIT
 // What assimp leaves out of Collada without a word. It reads the blend mode of a texture and loses it, takes the colour
-// of transparency for a number, and knows neither hidden nodes nor effects that are programs.
+// of transparency for a number, and knows neither hidden nodes nor effects that are programs, nor geometries that are
+// no meshes. Of these those are told that a node has: physics has some of its own.
 #include "assimp.h"
 #include "collada_far.h"
 #include "collada_markup.h"
+#include "import/builder/hash_table.h"
 
+#include <stdlib.h>
 #include <string.h>
+
+// A geometry that assimp does not read.
+struct geometry {
+    struct scene_collada_value id;
+    const char *what;
+};
 
 struct look {
     struct scene_import *import;
     const char *end;
     bool is_transparent, is_by_color, is_inverted; // within <transparent>: what `opaque` says of it
     bool has_common, has_program;                  // profiles of the effect
+    struct scene_collada_value id;                 // names the geometry that was begun last
+    struct geometry *geometries;
+    size_t geometry_count, geometry_capacity;
+    struct scene_hash_table places; // finds geometries by their ids
 };
 
 static bool is_value(struct scene_collada_value value, const char *text)
@@ -76,6 +89,71 @@ static void look_at_extensions(struct look *look, const char *tag, char *close)
     }
 }
 
+// Note a geometry by a tag in it that says what it is.
+static void look_at_geometry(struct look *look, char *tag, char *close)
+{
+    static const char *const kinds[][2] = {{"spline", "curves"},
+                                           {"nurbs", "NURBS"},
+                                           {"nurbs_surface", "NURBS"},
+                                           {"brep", "boundary representations"},
+                                           {"convex_mesh", "convex hulls of meshes"}};
+    const char *what = NULL;
+    if (scene_collada_is_tag(tag, "geometry")) {
+        look->id = scene_collada_attribute(tag, close, "id");
+    }
+    for (size_t i = 0; i < sizeof kinds / sizeof kinds[0] && what == NULL; i++) {
+        what = scene_collada_is_tag(tag, kinds[i][0]) ? kinds[i][1] : NULL;
+    }
+    const bool is_convex_mesh = scene_collada_is_tag(tag, "convex_mesh");
+    if (what == NULL || look->id.text == NULL ||
+        (is_convex_mesh && scene_collada_attribute(tag, close, "convex_hull_of").text == NULL)) {
+        return;
+    }
+    scene_import_reserve(look->import, &look->geometries, &look->geometry_capacity, look->geometry_count + 1,
+                         sizeof *look->geometries);
+    scene_hash_add(look->import, &look->places, scene_hash_bytes(look->id.text, look->id.length),
+                   (uint32_t)look->geometry_count);
+    look->geometries[look->geometry_count++] = (struct geometry){look->id, what};
+}
+
+// Tell of a geometry that a node has, if assimp does not read it.
+static void look_at_instance(const struct look *look, struct scene_collada_value url)
+{
+    size_t place = SIZE_MAX;
+    if (url.length < 2 || url.text[0] != '#') {
+        return;
+    }
+    const struct scene_collada_value id = {url.text + 1, url.length - 1};
+    const uint32_t hash = scene_hash_bytes(id.text, id.length);
+    for (uint32_t i = scene_hash_next(&look->places, hash, &place); i != UINT32_MAX;
+         i = scene_hash_next(&look->places, hash, &place)) {
+        const struct geometry *const geometry = &look->geometries[i];
+        if (geometry->id.length == id.length && memcmp(geometry->id.text, id.text, id.length) == 0) {
+            scene_import_unsupported(look->import, "%s: not drawn", geometry->what);
+            return;
+        }
+    }
+}
+
+// Look for the geometries that nodes have.
+static void look_at_nodes(const struct look *look, char *text)
+{
+    static const char physics[] = "</library_physics_models";
+    bool is_physics = false;
+    char *close;
+    for (char *tag = strchr(text, '<'); tag != NULL && look->geometry_count > 0; tag = strchr(close, '<')) {
+        close = scene_collada_markup_end(tag, look->end);
+        if (close == NULL) {
+            return;
+        }
+        is_physics = (is_physics || scene_collada_is_tag(tag, physics + 2)) &&
+                     strncmp(tag, physics, strlen(physics)) != 0;
+        if (!is_physics && scene_collada_is_tag(tag, "instance_geometry")) {
+            look_at_instance(look, scene_collada_attribute(tag, close, "url"));
+        }
+    }
+}
+
 void scene_assimp_look_at_collada(struct scene_import *import, char *text, size_t size)
 {
     struct look look = {.import = import, .end = text + size};
@@ -86,10 +164,14 @@ void scene_assimp_look_at_collada(struct scene_import *import, char *text, size_
     for (char *tag = strchr(text, '<'); tag != NULL; tag = strchr(close, '<')) {
         close = scene_collada_markup_end(tag, look.end);
         if (close == NULL) {
-            return;
+            break;
         }
         look_at_transparency(&look, tag, close);
         look_at_effect(&look, tag);
         look_at_extensions(&look, tag, close);
+        look_at_geometry(&look, tag, close);
     }
+    look_at_nodes(&look, text);
+    free(look.geometries);
+    free(look.places.entries);
 }

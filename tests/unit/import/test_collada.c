@@ -460,7 +460,8 @@ static void test_gaps_in_archive(void **state)
            "<aspect_ratio>1.5</aspect_ratio><znear>1</znear><zfar>9</zfar></perspective></technique_common>"
            "</optics></camera></library_cameras>",
            text);
-    insert(text, "</visual_scene>", "<node><instance_camera url=\"#eye\"/></node>", whole);
+    insert(text, "</visual_scene>",
+           "<node><instance_camera url=\"#eye\"/><instance_geometry url=\"#c\"/></node>", whole);
     zipFile zip = package_begin("x.zae");
     package_add_text(zip, "x.dae", whole);
     package_end(zip);
