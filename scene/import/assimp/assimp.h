@@ -36,6 +36,8 @@ void scene_assimp_look_at_chunks(struct scene_import *import, const void *bytes,
 void scene_assimp_look_at_dxf(struct scene_import *import, char *bytes, size_t size);
 /// Tells the user what assimp leaves out of a model if it is one of NFF or AC3D.
 void scene_assimp_look_at_text(struct scene_import *import, char *bytes, size_t size);
+/// Fail the import if it is an ASE with indices of what is not there.
+void scene_assimp_look_at_ase(struct scene_import *import, char *bytes, size_t size);
 /// Tells the user what assimp leaves out of the text of a Collada document. A 0 follows it.
 void scene_assimp_look_at_collada(struct scene_import *import, char *text, size_t size);
 /// What assimp reads: the file of the import, or the bytes that stand for it.

@@ -226,6 +226,7 @@ void scene_assimp_find_gaps(struct scene_import *import)
     if (scene_assimp_may_be_collada(import)) {
         scene_assimp_look_at_collada(import, bytes, size);
     }
+    scene_assimp_look_at_ase(import, bytes, size);
     if (strcasecmp(import->ending, "dxf") == 0) {
         scene_assimp_look_at_dxf(import, bytes, size);
     } else {

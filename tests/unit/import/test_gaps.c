@@ -460,6 +460,48 @@ static void test_words(void **state)
     }
 }
 
+// Faces of an ASE that refer to what is not there, in any of its lists and any of its meshes.
+static void test_ase(void **state)
+{
+    (void)state;
+    static const char plain[] =
+        "*MESH_FACE 0: A: 0 B: 1 C: 2 AB: 1 BC: 1 CA: 9 *MESH_SMOOTHING 9 *MESH_MTLID 0";
+    static const struct {
+        const char *face, *coordinates, *colors, *cause;
+    } cases[] = {
+        {plain, "0\t0\t1\t1", "0 0 0 0", NULL},
+        {"*MESH_FACE    0:    A:    0 B:    3 C:    2", "0 0 0 0", "0 0 0 0",
+         "line 13: face 0 refers to vertex 3; the mesh has 3, counted from 0"},
+        {"*MESH_FACE 7: A:-1 B:2 C:2", "0 0 0 0", "0 0 0 0",
+         "line 13: face 7 refers to vertex -1; the mesh has 3, counted from 0"},
+        {plain, "4 0 0 2", "0 0 0 0",
+         "line 22: face 4 refers to texture coordinate 2; the mesh has 2, counted from 0"},
+        {plain, "0 0 0 0", "0 1 0 0", "line 30: face 0 refers to colour 1; the mesh has 1, counted from 0"},
+    };
+    for (size_t i = 0; i < 2 * sizeof cases / sizeof cases[0]; i++) {
+        const char *const cause = cases[i / 2].cause;
+        write_format(
+            "a.ase",
+            "*3DSMAX_ASCIIEXPORT 200\n*GEOMOBJECT {\n*NODE_NAME \"a\"\n*MESH {\n*MESH_NUMVERTEX 3\n"
+            "*MESH_NUMFACES 1\n*MESH_VERTEX_LIST {\n*MESH_VERTEX 0 0 0 0\n*MESH_VERTEX 1 1 0 0\n"
+            "*MESH_VERTEX 2 0 1 0\n}\n*MESH_FACE_LIST {\n%s\n}\n*MESH_NUMTVERTEX 2\n*MESH_TVERTLIST {\n"
+            "*MESH_TVERT 0 0 0 0\n*MESH_TVERT 1 1 0 0\n}\n*MESH_NUMTVFACES 1\n*MESH_TFACELIST {\n"
+            "*MESH_TFACE %s\n}\n*MESH_NUMCVERTEX 1\n*MESH_CVERTLIST {\n*MESH_VERTCOL 0 1 0 0\n}\n"
+            "*MESH_NUMCVFACES 1\n*MESH_CFACELIST {\n*MESH_CFACE %s\n}\n}\n}\n%s",
+            cases[i / 2].face, cases[i / 2].coordinates, cases[i / 2].colors,
+            i % 2 == 0
+                ? ""
+                : "*GEOMOBJECT {\n*NODE_NAME \"b\"\n*MESH {\n*MESH_NUMVERTEX 9\n*MESH_NUMTVERTEX 9\n}\n}\n");
+        if (cause != NULL) {
+            expect_refused("a.ase", cause);
+            continue;
+        }
+        struct scene_model *const model = load("a.ase");
+        assert_int_equal(model->triangles_drawn, 1);
+        scene_model_free(model);
+    }
+}
+
 // A mesh of an AMF that says nothing of colours is grey, as all that is not described.
 static void test_no_colors(void **state)
 {
@@ -620,21 +662,14 @@ static void test_warnings(void **state)
 }
 
 static const struct CMUnitTest tests[] = {
-    cmocka_unit_test(test_warnings),
-    cmocka_unit_test(test_vertices),
-    cmocka_unit_test(test_no_colors),
-    cmocka_unit_test(test_materials),
-    cmocka_unit_test(test_texts),
-    cmocka_unit_test(test_entities),
-    cmocka_unit_test(test_drawings),
-    cmocka_unit_test(test_schema),
-    cmocka_unit_test(test_meshes_without_faces),
-    cmocka_unit_test(test_log),
-    cmocka_unit_test(test_textures),
-    cmocka_unit_test(test_collada),
-    cmocka_unit_test(test_words),
-    cmocka_unit_test(test_frames),
-    cmocka_unit_test(test_cameras_and_lights),
+    cmocka_unit_test(test_warnings),  cmocka_unit_test(test_vertices),
+    cmocka_unit_test(test_ase),       cmocka_unit_test(test_no_colors),
+    cmocka_unit_test(test_materials), cmocka_unit_test(test_texts),
+    cmocka_unit_test(test_entities),  cmocka_unit_test(test_drawings),
+    cmocka_unit_test(test_schema),    cmocka_unit_test(test_meshes_without_faces),
+    cmocka_unit_test(test_log),       cmocka_unit_test(test_textures),
+    cmocka_unit_test(test_collada),   cmocka_unit_test(test_words),
+    cmocka_unit_test(test_frames),    cmocka_unit_test(test_cameras_and_lights),
 };
 
 const struct unit_tests test_gaps = UNIT_TESTS(tests, make_directory, remove_directory);
