@@ -497,9 +497,10 @@ static void cut_polygon(void *user, const float (*positions)[3], const uint32_t 
 }
 
 // Read what the import is about. Return NULL if assimp cannot.
-static const struct aiScene *read_source(struct scene_import *import, const struct scene_assimp_exact *exact)
+static const struct aiScene *read_source(struct scene_import *import, const struct scene_assimp_exact *exact,
+                                         const struct scene_assimp_unknowns *unknowns)
 {
-    struct scene_assimp_source source = {.import = import, .exact = exact};
+    struct scene_assimp_source source = {.import = import, .exact = exact, .unknowns = unknowns};
     struct aiPropertyStore *properties = aiCreatePropertyStore();
     aiSetImportPropertyInteger(properties, AI_CONFIG_IMPORT_NO_SKELETON_MESHES, 1);
     // The matrices that a node of an FBX is made of stay nodes of their own: where assimp 5.2.5 multiplies them, it
@@ -526,7 +527,11 @@ static const struct aiScene *read_source(struct scene_import *import, const stru
 // Read the scene, and pose it. Return NULL if assimp cannot.
 static const struct aiScene *read_posed(struct scene_import *import, struct scene_assimp_exact *exact)
 {
-    const struct aiScene *const scene = read_source(import, exact);
+    struct scene_assimp_unknowns unknowns = {.count = 0};
+    const struct aiScene *scene = read_source(import, exact, &unknowns);
+    while (scene == NULL && scene_assimp_leave_out(import, aiGetErrorString(), &unknowns)) {
+        scene = read_source(import, exact, &unknowns);
+    }
     if (scene != NULL && scene->mRootNode == NULL) {
         scene_import_fail(import, "has no nodes");
     }

@@ -40,10 +40,22 @@ void scene_assimp_look_at_text(struct scene_import *import, char *bytes, size_t 
 void scene_assimp_look_at_ase(struct scene_import *import, char *bytes, size_t size);
 /// Tells the user what assimp leaves out of the text of a Collada document. A 0 follows it.
 void scene_assimp_look_at_collada(struct scene_import *import, char *text, size_t size);
+enum { SCENE_ASSIMP_UNKNOWNS = 16 }; ///< nodes of a file that are left out at most
+
+/// Nodes of X3D that assimp refuses a file for, and the nodes that they are in.
+struct scene_assimp_unknown {
+    char node[64], parent[64];
+};
+struct scene_assimp_unknowns {
+    struct scene_assimp_unknown list[SCENE_ASSIMP_UNKNOWNS];
+    unsigned count;
+};
+
 /// What assimp reads: the file of the import, or the bytes that stand for it.
 struct scene_assimp_source {
     struct scene_import *import;
     const struct scene_assimp_exact *exact;
+    const struct scene_assimp_unknowns *unknowns; // nodes that it gets the file without
     // What the model becomes for assimp, which opens it several times. NULL: it is read as it is.
     char *changed;
     size_t changed_size;
@@ -63,6 +75,13 @@ char *scene_assimp_dxf(struct scene_import *import, size_t *size);
 /// Return the bytes of an FBX with layers of materials where its geometries lack them, a 0 behind them. Return NULL if
 /// none does, or if the file is none.
 char *scene_assimp_fbx(struct scene_import *import, size_t *size);
+/// Return the text of an X3D as assimp can read it, a 0 behind it. Return NULL if the file is none.
+char *scene_assimp_x3d(struct scene_import *import, const struct scene_assimp_unknowns *unknowns,
+                       size_t *size);
+/// Add the node that assimp has refused an X3D for, by its error, and tell of it. Return false if it is for another
+/// reason, or for too many nodes.
+bool scene_assimp_leave_out(struct scene_import *import, const char *error,
+                            struct scene_assimp_unknowns *unknowns);
 /// Tell the user if models are drawn that an FBX hides, for good or for a while.
 void scene_assimp_tell_hidden(struct scene_import *import);
 /// Move the white space at the ends of a document's texts into its tags. A 0 follows the text.

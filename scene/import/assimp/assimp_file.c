@@ -175,6 +175,8 @@ static struct aiFile *open_model(struct scene_assimp_source *source)
         char *changed = scene_assimp_collada(source->import, &source->changed_size);
         changed = changed != NULL ? changed : scene_assimp_dxf(source->import, &source->changed_size);
         changed = changed != NULL ? changed : scene_assimp_fbx(source->import, &source->changed_size);
+        changed = changed != NULL ? changed
+                                  : scene_assimp_x3d(source->import, source->unknowns, &source->changed_size);
         source->changed = changed;
         source->is_looked_at = true;
     }

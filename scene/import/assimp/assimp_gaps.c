@@ -99,6 +99,7 @@ static bool tells_of_gap(const char *line)
         "maya texture blend mode",
         "setting default material",
         "unsupported chunk:",
+        "unknown node \"", // an X3D is read again without it
     };
     return has_any(line, gaps, sizeof gaps / sizeof *gaps) &&
            !has_any(line, others, sizeof others / sizeof *others);
@@ -149,6 +150,19 @@ static void blank_comments(char *text)
     }
 }
 
+// Return true if a text has a word. "<Text" is a word of its own, others may begin longer ones. A 0 follows the text.
+static bool has_word(const char *text, const char *end, const char *word)
+{
+    const size_t length = strlen(word);
+    const bool is_whole = strcmp(word, "<Text") == 0;
+    const char *place = text;
+    while (place != NULL && (size_t)(end - place) >= length &&
+           (memcmp(place, word, length) != 0 || (is_whole && isalnum((unsigned char)place[length])))) {
+        place = memchr(place + 1, word[0], (size_t)(end - place) - 1);
+    }
+    return place != NULL && (size_t)(end - place) >= length;
+}
+
 // Words of text formats, and of FBX, that stand for what assimp does not know.
 static void look_for_words(struct scene_import *import, const char *bytes, size_t size)
 {
@@ -162,7 +176,10 @@ static void look_for_words(struct scene_import *import, const char *bytes, size_
         {"x3d", "<Nurbs", "NURBS"},
         {"x3d", "<Geo", "geospatial nodes"},
         {"x3d", "<HAnim", "humanoids"},
-        {"x3d", "<LOD", "levels of detail"},
+        {"x3d", "<QuadSet", "quads"},
+        {"x3d", "<IndexedQuadSet", "quads"},
+        {"x3d", "<ProtoInstance", "prototypes"},
+        {"x3d", "<VolumeData", "volumes"},
         {"x3d", "<PixelTexture", "textures in the file"},
         {"x3d", "<MovieTexture", "films"},
         {"x3d", "<MultiTexture", "textures above each other"},
@@ -173,16 +190,10 @@ static void look_for_words(struct scene_import *import, const char *bytes, size_
         {"amf", "<edge", "curved edges"},
     };
     for (size_t i = 0; i < sizeof words / sizeof words[0]; i++) {
-        const size_t length = strlen(words[i].word);
         if (strcasecmp(import->ending, words[i].ending) != 0) {
             continue;
         }
-        const char *place = bytes, *end = bytes + size;
-        while (place != NULL && (size_t)(end - place) >= length &&
-               memcmp(place, words[i].word, length) != 0) {
-            place = memchr(place + 1, words[i].word[0], (size_t)(end - place) - 1);
-        }
-        if (place != NULL && (size_t)(end - place) >= length) {
+        if (has_word(bytes, bytes + size, words[i].word)) {
             scene_import_unsupported(import, "%s: not drawn", words[i].what);
         }
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The tags of a Collada document, which is changed as text before assimp reads it.
+// The tags of a document of Collada, or of X3D, which is changed as text before assimp reads it.
 #ifndef SCENE_IMPORT_COLLADA_MARKUP_H
 #define SCENE_IMPORT_COLLADA_MARKUP_H
 

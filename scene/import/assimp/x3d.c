@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: MIT
+// X3D for assimp, which 5.2.5 reads otherwise than it is written. A list of addresses is of strings in quotation marks,
+// as in url='"wall.png" "http://…/wall.png"', of which assimp refuses one, and makes one of several. It gets the one
+// that is there. It also refuses a file for any node that it does not know, so it gets the file without it, and drops
+// groups of some kinds in silence, which get the names of those that it reads.
+#include "assimp.h"
+#include "collada_markup.h"
+#include "edits.h"
+#include "import/builder/find_file.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+// Pass quotation marks, which may be written as &quot;. Return their length, or 0 where there are none.
+static size_t quote_at(const char *text, const char *end)
+{
+    static const char entity[] = "&quot;";
+    const bool is_entity =
+        (size_t)(end - text) >= strlen(entity) && memcmp(text, entity, strlen(entity)) == 0;
+    return is_entity ? strlen(entity) : text < end && *text == '"' ? 1 : 0;
+}
+
+// Find the next string in quotation marks from `text` on. Return what follows it, or NULL where there is none.
+static const char *next_string(const char *text, const char *end, struct scene_collada_value *string)
+{
+    while (text < end && quote_at(text, end) == 0) {
+        text++;
+    }
+    if (text == end) {
+        return NULL;
+    }
+    text += quote_at(text, end);
+    string->text = (char *)(uintptr_t)text;
+    while (text < end && quote_at(text, end) == 0) {
+        text++;
+    }
+    string->length = (size_t)(text - string->text);
+    return text == end ? NULL : text + quote_at(text, end);
+}
+
+// Return a string with %20 for its blanks, which assimp leaves out.
+static char *escape(struct scene_import *import, struct scene_collada_value string)
+{
+    char *const escaped = scene_import_allocate(import, 3 * string.length + 1, 1);
+    size_t length = 0;
+    for (size_t i = 0; i < string.length; i++) {
+        if (string.text[i] == ' ') {
+            memcpy(escaped + length, "%20", 3);
+            length += 3;
+        } else {
+            escaped[length++] = string.text[i];
+        }
+    }
+    return escaped;
+}
+
+// Return the first of the addresses in an attribute whose file is there, or else the first. Return NULL if none of them
+// is in quotation marks.
+static char *choose(struct scene_import *import, struct scene_collada_value url)
+{
+    enum { MOST = 16 };
+    const char *place = url.text, *const end = url.text + url.length;
+    struct scene_collada_value string;
+    char *chosen = NULL;
+    bool is_there = false;
+    for (int i = 0; i < MOST && !is_there; i++) {
+        place = next_string(place, end, &string);
+        if (place == NULL) {
+            break;
+        }
+        char *const address = escape(import, string);
+        is_there = scene_import_find_file(import, address) != NULL;
+        if (chosen == NULL || is_there) {
+            free(chosen);
+            chosen = address;
+        } else {
+            free(address);
+        }
+    }
+    return chosen;
+}
+
+// Write the address of a tag.
+static void write_address(struct scene_import *import, struct scene_edits *edits, const char *text, char *tag,
+                          char *close)
+{
+    static const char *const nodes[] = {"ImageTexture", "Inline", "MovieTexture", "Anchor", "AudioClip"};
+    for (size_t i = 0; i < sizeof nodes / sizeof nodes[0]; i++) {
+        const struct scene_collada_value url = scene_collada_is_tag(tag, nodes[i])
+                                                   ? scene_collada_attribute(tag, close, "url")
+                                                   : (struct scene_collada_value){NULL, 0};
+        char *const chosen = url.text == NULL ? NULL : choose(import, url);
+        if (chosen != NULL) {
+            scene_edits_add_string(import, edits, (size_t)(url.text - text), url.length, chosen);
+            free(chosen);
+        }
+    }
+}
+
+// Write the name of a group that assimp knows. Of levels of detail the first is the finest.
+static void write_group(struct scene_import *import, struct scene_edits *edits, const char *text, char *tag)
+{
+    static const char *const groups[][3] = {{"Collision", "Group", "Group"},
+                                            {"Anchor", "Group", "Group"},
+                                            {"Billboard", "Group", "Group"},
+                                            {"PickableGroup", "Group", "Group"},
+                                            {"LayoutGroup", "Group", "Group"},
+                                            {"ScreenGroup", "Group", "Group"},
+                                            {"CADLayer", "Group", "Group"},
+                                            {"CADAssembly", "Group", "Group"},
+                                            {"CADFace", "Group", "Group"},
+                                            {"CADPart", "Transform", "Transform"},
+                                            {"EspduTransform", "Transform", "Transform"},
+                                            {"LOD", "Switch whichChoice=\"0\"", "Switch"}};
+    char *const name = tag + (tag[1] == '/');
+    for (size_t i = 0; i < sizeof groups / sizeof groups[0]; i++) {
+        if (scene_collada_is_tag(name, groups[i][0])) {
+            scene_edits_add_string(import, edits, (size_t)(name + 1 - text), strlen(groups[i][0]),
+                                   groups[i][name == tag ? 1 : 2]);
+        }
+    }
+}
+
+static char *write_tags(struct scene_import *import, char *text, size_t *size)
+{
+    struct scene_edits edits = {0};
+    char *close;
+    for (char *tag = strchr(text, '<'); tag != NULL; tag = strchr(close, '<')) {
+        close = scene_collada_markup_end(tag, text + *size);
+        if (close == NULL) {
+            break;
+        }
+        write_address(import, &edits, text, tag, close);
+        write_group(import, &edits, text, tag);
+    }
+    char *const written = scene_edits_apply(import, &edits, text, size);
+    if (written == NULL) {
+        return text;
+    }
+    free(text);
+    return written;
+}
+
+// Write blanks over the nodes of a name within those of another.
+static void blank_nodes(char *text, size_t size, const struct scene_assimp_unknown *unknown)
+{
+    enum { DEEPEST = 256 };
+    const char *open[DEEPEST];  // the tags that are open
+    char *close, *first = NULL; // the first tag of what is blanked
+    size_t depth = 0, first_depth = 0;
+    for (char *tag = strchr(text, '<'); tag != NULL; tag = strchr(close + 1, '<')) {
+        close = scene_collada_markup_end(tag, text + size);
+        if (close == NULL || depth == DEEPEST) {
+            return;
+        }
+        const bool is_node = tag[1] != '!' && tag[1] != '?', is_end = tag[1] == '/';
+        if (first == NULL && is_node && !is_end && depth > 0 && scene_collada_is_tag(tag, unknown->node) &&
+            scene_collada_is_tag(open[depth - 1], unknown->parent)) {
+            first = tag;
+            first_depth = depth;
+        }
+        depth -= is_end && depth > 0;
+        if (first != NULL && is_node && depth == first_depth && (is_end || close[-1] == '/')) {
+            memset(first, ' ', (size_t)(close - first) + 1);
+            first = NULL;
+        } else if (is_node && !is_end && close[-1] != '/') {
+            open[depth++] = tag;
+        }
+    }
+}
+
+char *scene_assimp_x3d(struct scene_import *import, const struct scene_assimp_unknowns *unknowns,
+                       size_t *size)
+{
+    const char *problem = NULL;
+    char *const text = strcasecmp(import->ending, "x3d") == 0
+                           ? scene_import_read_bytes(import->model.path, size, &problem)
+                           : NULL;
+    if (text == NULL || strncmp(text, "\xff\xfe", 2) == 0 || strncmp(text, "\xfe\xff", 2) == 0) {
+        free(text);
+        return NULL;
+    }
+    for (unsigned i = 0; i < unknowns->count; i++) {
+        blank_nodes(text, *size, &unknowns->list[i]);
+    }
+    return write_tags(import, text, size);
+}
+
+bool scene_assimp_leave_out(struct scene_import *import, const char *error,
+                            struct scene_assimp_unknowns *unknowns)
+{
+    struct scene_assimp_unknown *const unknown = &unknowns->list[unknowns->count];
+    if (strcasecmp(import->ending, "x3d") != 0 || unknowns->count == SCENE_ASSIMP_UNKNOWNS ||
+        sscanf(error, "Unknown node \"%63[^\"]\" in %63[^.].", unknown->node, unknown->parent) != 2) {
+        return false;
+    }
+    for (unsigned i = 0; i < unknowns->count; i++) {
+        if (strcmp(unknowns->list[i].node, unknown->node) == 0 &&
+            strcmp(unknowns->list[i].parent, unknown->parent) == 0) {
+            return false; // it is still there
+        }
+    }
+    unknowns->count++;
+    scene_import_unsupported(import, "nodes %s in %s (X3D): not drawn", unknown->node, unknown->parent);
+    return true;
+}

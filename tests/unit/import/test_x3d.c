@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+// X3D as people write it, of which assimp would refuse much and drop more.
+#include "model_files.h"
+
+#include <string.h>
+#include <unistd.h>
+
+#define SHAPE(appearance)                                                                  \
+    "<Shape><Appearance>" appearance "</Appearance><IndexedFaceSet coordIndex='0 1 2 -1'>" \
+    "<Coordinate point='0 0 0 1 0 0 0 1 0'/><TextureCoordinate point='0 0 1 0 0 "          \
+    "1'/></IndexedFaceSet></Shape>"
+
+// Lists of addresses as X3D writes them, of which the first that is there counts.
+static void test_addresses(void **state)
+{
+    (void)state;
+    static const char *const cases[][2] = {
+        {"url='\"a.ppm\"'", "a.ppm"},
+        {"url=\"&quot;a.ppm&quot;\"", "a.ppm"},
+        {"url='a.ppm'", "a.ppm"},
+        {"url='\"none.ppm\" \"a.ppm\"'", "a.ppm"},
+        {"url='\"a%20b.ppm\"'", "a b.ppm"},
+        {"url='\"a b.ppm\" \"a.ppm\"'", "a b.ppm"},
+        {"DEF='i'\n url = '\"a.ppm\",\n\"none.ppm\"' ", "a.ppm"},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        write_bytes("a.ppm", "P6\n1 1\n255\n\x10\x20\x30", 14);
+        write_bytes("a b.ppm", "P6\n1 1\n255\n\x10\x20\x30", 14);
+        unlink(path_of(strcmp(cases[i][1], "a.ppm") == 0 ? "a b.ppm" : "a.ppm"));
+        write_format(
+            "u.x3d", "<X3D><Scene>%s%s%s</Scene></X3D>", "<Shape><Appearance><ImageTexture ", cases[i][0],
+            "/></Appearance><IndexedFaceSet coordIndex='0 1 2 -1'><Coordinate point='0 0 0 1 0 0 0 1 0'/>"
+            "<TextureCoordinate point='0 0 1 0 0 1'/></IndexedFaceSet></Shape>");
+        struct scene_model *const model = load("u.x3d");
+        assert_int_equal(model->image_count, 1);
+        assert_int_equal(model->unsupported_count + model->warning_count, 0);
+        assert_false(model->images[0].missing);
+        scene_model_free(model);
+    }
+}
+
+// Groups of all kinds, and nodes that are not known: the rest of the file is drawn.
+static void test_nodes(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *text;
+        unsigned triangles;
+        const char *told;
+    } cases[] = {
+        {"<Collision enabled='false'>" SHAPE("") "</Collision >", 2, NULL},
+        {"<Anchor url='\"a.html\"'><Billboard>" SHAPE("") "</Billboard></Anchor>", 2, NULL},
+        {"<CADLayer><CADAssembly><CADPart translation='1 0 0'><CADFace>" SHAPE(
+             "") "</CADFace></CADPart></CADAssembly></CADLayer>",
+         2, NULL},
+        {"<LOD range='9'>" SHAPE("") SHAPE("") "</LOD>", 2, NULL},
+        {"<Cloud><Group>" SHAPE("") "</Group><Cloud/></Cloud>", 1, "nodes Cloud in Scene (X3D): not drawn"},
+        {SHAPE("<Material/><Cloud><Cloud/></Cloud>") "<!-- <Cloud/> -->", 2,
+         "nodes Cloud in Appearance (X3D): not drawn"},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        const char *const told = cases[i].told;
+        write_format("n.x3d", "<X3D><Scene>%s%s</Scene></X3D>", SHAPE(""), cases[i].text);
+        struct scene_model *const model = load("n.x3d");
+        assert_int_equal(model->triangles_drawn, cases[i].triangles);
+        if (model->unsupported_count != (told != NULL) || (told != NULL && !is_unsupported(model, told))) {
+            fail_msg("case %zu: %u lines", i, model->unsupported_count);
+        }
+        scene_model_free(model);
+    }
+}
+
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_addresses),
+    cmocka_unit_test(test_nodes),
+};
+
+const struct unit_tests test_x3d = UNIT_TESTS(tests, make_directory, remove_directory);
