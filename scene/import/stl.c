@@ -442,20 +442,21 @@ static void read_text(struct scene_import *import, char *bytes, size_t size)
     }
 }
 
-// Skip the mark of UTF-8, blanks and comments.
-static const char *first_word(const char *text)
+// Return true if a line of a text begins with "solid". The mark of UTF-8 and blanks may stand before it.
+static bool has_solid(const char *text, const char *end)
 {
     text += strncmp(text, "\xef\xbb\xbf", 3) == 0 ? 3 : 0;
-    text += strspn(text, " \t\r\n");
-    while (*text == '#') {
-        text += strcspn(text, "\r\n");
+    bool found = false;
+    while (text < end && *text != 0 && !found) {
         text += strspn(text, " \t\r\n");
+        found = text < end && strncasecmp(text, "solid", 5) == 0;
+        text += strcspn(text, "\r\n");
     }
-    return text;
+    return found;
 }
 
-// Return true if the file is text. Text begins with "solid". So do heads of binary files, but these have the length
-// that they say, or bytes that are no text.
+// Return true if the file is text. One of its first lines begins with "solid". So do heads of binary files, but these
+// have the length that they say, or bytes that are no text.
 static bool is_text(const char *bytes, size_t size)
 {
     enum { LOOKED_AT = 512 };
@@ -463,7 +464,7 @@ static bool is_text(const char *bytes, size_t size)
     if (size >= 4 && (memcmp(bytes, "\xff\xfes\0", 4) == 0 || memcmp(bytes, "\xfe\xff\0s", 4) == 0)) {
         return true; // UTF-16
     }
-    if (strncasecmp(first_word(bytes), "solid", 5) != 0) {
+    if (!has_solid(bytes, bytes + end)) {
         return false;
     }
     if (size >= HEADER && size == HEADER + (uint64_t)FACET * read_32((const unsigned char *)bytes + 80)) {

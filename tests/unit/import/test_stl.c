@@ -244,6 +244,22 @@ static void test_marks(void **state)
     }
 }
 
+// Lines of other words before "solid", and a head that has such lines and belongs to a binary file.
+static void test_lines_before(void **state)
+{
+    (void)state;
+    struct scene_model *model =
+        load_text("x.stl", "+\n solid BALL  \n" FACET_TEXT "endloop\nendfacet\nendsolid\n");
+    assert_int_equal(model->triangles_drawn, 1);
+    assert_true(is_unsupported(model, "\"+\" has no meaning (STL): its lines are left out"));
+    scene_model_free(model);
+    const uint16_t words[] = {0, 0, 0};
+    write_bytes("x.stl", bytes, make_binary(bytes, "made by\nsolid", 3, 3, words));
+    model = load("x.stl");
+    assert_int_equal(model->triangles_drawn, 3);
+    scene_model_free(model);
+}
+
 static void test_cut_text(void **state)
 {
     (void)state;
@@ -309,6 +325,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_normals_that_oppose_corners),
     cmocka_unit_test(test_normals_of_another_pose),
     cmocka_unit_test(test_marks),
+    cmocka_unit_test(test_lines_before),
     cmocka_unit_test(test_cut_text),
 };
 
