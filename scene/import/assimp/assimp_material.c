@@ -198,6 +198,10 @@ static void read_texture(const struct reader *reader, enum aiTextureType type,
         path.length == 0 || is_dummy(path.data)) {
         return;
     }
+    if (strncmp(path.data, "Procedural,", 11) == 0) {
+        scene_import_unsupported(reader->import, "textures that are no images: left out");
+        return;
+    }
     const struct aiTexture *inside = embedded(reader, path.data);
     texture->name = scene_assimp_string(reader->import, &path);
     if (inside != NULL && inside->mHeight == 0) {

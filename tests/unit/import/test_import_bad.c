@@ -134,6 +134,8 @@ static const struct {
     {"five.blend", "BLENDER17-01v0502REND", "is a Blender file of version 5.2, which"},
     {"old.blend", "BLENDER-v279REND", "cannot be read: "},
     {"README", "facet solid outer\n", "is not a model in a format that can be read"},
+    {"bird.m3d", "3DMO", "is Model 3D (M3D), which"},
+    {"bird", "3dmodel 1\n", "is Model 3D (M3D), which"},
     {"mesh.vtp", "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\">", "is VTK, which"},
     {"mesh", "# vtk DataFile Version 3.0\n", "is VTK, which"},
     {"a.mesh", "MeshVersionFormatted 1\nDimension 3\n", "is a mesh of Medit, which"},
