@@ -75,6 +75,8 @@ char *scene_assimp_dxf(struct scene_import *import, size_t *size);
 /// Return the bytes of an FBX with layers of materials where its geometries lack them, a 0 behind them. Return NULL if
 /// none does, or if the file is none.
 char *scene_assimp_fbx(struct scene_import *import, size_t *size);
+/// Return the bytes of a 3DS without its keys, where these would tear its meshes apart. Return NULL for other files.
+char *scene_assimp_3ds(struct scene_import *import, size_t *size);
 /// Return the text of an X3D as assimp can read it, a 0 behind it. Return NULL if the file is none.
 char *scene_assimp_x3d(struct scene_import *import, const struct scene_assimp_unknowns *unknowns,
                        size_t *size);

@@ -177,6 +177,7 @@ static struct aiFile *open_model(struct scene_assimp_source *source)
         changed = changed != NULL ? changed : scene_assimp_fbx(source->import, &source->changed_size);
         changed = changed != NULL ? changed
                                   : scene_assimp_x3d(source->import, source->unknowns, &source->changed_size);
+        changed = changed != NULL ? changed : scene_assimp_3ds(source->import, &source->changed_size);
         source->changed = changed;
         source->is_looked_at = true;
     }

@@ -217,7 +217,79 @@ static void test_told(void **state)
     }
 }
 
+// Put a triangle that has a matrix with a translation.
+static void put_placed(struct chunks *chunks, const char *name, float translation)
+{
+    const float positions[3][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}},
+                matrix[12] = {1, 0, 0, 0, 1, 0, 0, 0, 1, translation, 0, 0};
+    const size_t object = begin(chunks, 0x4000);
+    put(chunks, name, 2);
+    const size_t mesh = begin(chunks, 0x4100), vertices = begin(chunks, 0x4110);
+    put_short(chunks, 3);
+    put(chunks, positions, sizeof positions);
+    end(chunks, vertices);
+    const size_t faces = begin(chunks, 0x4120);
+    for (unsigned i = 0; i < 5; i++) {
+        put_short(chunks, i == 0 ? 1 : i == 4 ? 7 : i - 1);
+    }
+    end(chunks, faces);
+    const size_t place = begin(chunks, 0x4160);
+    put(chunks, matrix, sizeof matrix);
+    end(chunks, place);
+    end(chunks, mesh);
+    end(chunks, object);
+}
+
+// Put a node of an object with a pivot and a place.
+static void put_node(struct chunks *chunks, const char *name, float pivot, float place)
+{
+    const float pivots[3] = {pivot, 0, 0}, places[3] = {place, 0, 0};
+    const size_t node = begin(chunks, 0xb002), head = begin(chunks, 0xb010);
+    put(chunks, name, 2);
+    put(chunks, "\0\0\0\0\xff\xff", 6);
+    end(chunks, head);
+    const size_t center = begin(chunks, 0xb013);
+    put(chunks, pivots, sizeof pivots);
+    end(chunks, center);
+    const size_t track = begin(chunks, 0xb020);
+    put(chunks, "\0\0\0\0\0\0\0\0\0\0\1\0\0\0\0\0\0\0\0\0", 20);
+    put(chunks, places, sizeof places);
+    end(chunks, track);
+    end(chunks, node);
+}
+
+// Meshes whose matrices are those of the origin, with pivots that say otherwise, stay where their vertices are. With
+// matrices, or without pivots, keys move them.
+static void test_lost_places(void **state)
+{
+    (void)state;
+    static const struct {
+        float translation, pivot, width;
+        bool is_lost;
+    } cases[] = {{0, 3, 1, true}, {0, 0, 6, false}, {2, 3, 6, false}};
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        struct chunks chunks = {.size = 0};
+        const size_t file = begin(&chunks, 0x4d4d), editor = begin(&chunks, 0x3d3d);
+        put_placed(&chunks, "a", cases[i].translation);
+        put_placed(&chunks, "b", 0);
+        end(&chunks, editor);
+        const size_t keys = begin(&chunks, 0xb000);
+        put_node(&chunks, "a", cases[i].pivot, 5 + cases[i].translation + cases[i].pivot);
+        put_node(&chunks, "b", 0, 0);
+        end(&chunks, keys);
+        end(&chunks, file);
+        write_bytes("l.3ds", chunks.bytes, chunks.size);
+        struct scene_model *const model = load("l.3ds");
+        assert_true(has_warning(model, "has meshes that say nothing of their places: drawn without keys") ==
+                    cases[i].is_lost);
+        const float width = model->bounds_max[0] - model->bounds_min[0];
+        assert_floats(&width, &cases[i].width, 1, 1e-5f);
+        scene_model_free(model);
+    }
+}
+
 static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_lost_places),
     cmocka_unit_test(test_told),
     cmocka_unit_test(test_wires),
     cmocka_unit_test(test_decal),
