@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
 #include "glsl.h"
 
@@ -69,11 +70,13 @@ static const char *read_path(char *path, struct glsl_include *include, bool *is_
     if (path == NULL) {
         return out_of_memory;
     }
-    FILE *const file = fopen(path, "rb");
+    struct stat status;
+    const bool is_other = stat(path, &status) == 0 && !S_ISREG(status.st_mode); // a pipe would be waited for
+    FILE *const file = is_other ? NULL : fopen(path, "rb");
     if (file == NULL) {
-        *is_there = errno != ENOENT && errno != ENOTDIR;
+        *is_there = is_other || (errno != ENOENT && errno != ENOTDIR);
         free(path);
-        return "the file cannot be opened";
+        return is_other ? "it is no regular file" : "the file cannot be opened";
     }
     const char *const problem = read_all(file, include);
     fclose(file);

@@ -270,6 +270,9 @@ printf '#extension GL_none : enable\nvoid main() {}\n' >warned.frag
 run shader warned.frag
 check "a warning" test "$status:$(cat "$folder/log/err")" = "0:rhw: warned.frag:1: warning: '#extension' : extension not supported: GL_none"
 refuse 1 "warned.frag:1: warning: '#extension' : extension not supported: GL_none" shader --strict warned.frag
+mkfifo pipe.glsl
+printf '#include "pipe.glsl"\nvoid main() {}\n' >piped.comp
+refuse 1 "piped.comp:1: '#include' : it is no regular file for header name: pipe.glsl" shader piped.comp --max-time 20
 refuse 1 "paint.frag:1: '#include' : there is no such file for header name: tone.glsl" shader paint.frag -D TONE=1
 refuse 1 "paint.frag:5: 'non-opaque uniforms outside a block'" shader paint.frag -D TONE=1 -I library
 succeed shader paint.frag -D TONE=1 -I library --relaxed
