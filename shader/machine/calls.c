@@ -353,6 +353,13 @@ static void call_SAMPLE_ONE(const struct shader_found *one, const struct shader_
     rhw_binding_sample(one->binding, &request, texel);
 }
 
+static void call_COMPARE_WINDOW(const struct shader_found *one, const struct shader_request *r,
+                                uint32_t flags, uint32_t columns, uint32_t rows, rhw_float *parts)
+{
+    const struct rhw_sample_request request = request_of(r, flags);
+    rhw_binding_sample_compare_window(one->binding, &request, (int)columns, (int)rows, parts);
+}
+
 static void call_IMAGE_STORE(const struct rhw_shader_frame *frame, const struct shader_site *site,
                              const struct shader_found *one, struct shader_request *r)
 {
@@ -400,6 +407,7 @@ static shader_call_function *const functions[SHADER_CALLS] = {
     MORE(FIND_SHARED),
     MORE(FIND_PAIR),
     MORE(SAMPLE_ONE),
+    MORE(COMPARE_WINDOW),
     MORE(GATHER),
     MORE(LOAD_WORDS),
     MORE(SHARE),

@@ -35,6 +35,7 @@ struct shader_machine_frame {
 enum shader_home_kind {
     SHADER_HOMELESS, // it gets one when it needs it
     SHADER_IN_FRAME,
+    SHADER_IN_WINDOW, // in the frame too, for good
     SHADER_IN_RECORD,
     SHADER_IN_GROUP,
     SHADER_IN_INPUTS,

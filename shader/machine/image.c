@@ -2,6 +2,8 @@
 // Images: operands are stored into a request, and a call does what is asked.
 #include "generator.h"
 
+#include <string.h>
+
 static uint32_t sampler_of(const struct shader_generator *g, const struct shader_node *node,
                            const uint32_t *operands)
 {
@@ -128,6 +130,14 @@ static void put_named(struct shader_generator *g, uint32_t texture, uint32_t sam
     }
 }
 
+// The binding that all lanes name.
+static struct shader_argument one_image(struct shader_generator *g, uint32_t texture, uint32_t sampler)
+{
+    return sampler == SHADER_NONE
+               ? shader_found_argument(g, texture)
+               : shader_address_argument(x86_at(X86_RSP, (int32_t)find_pair(g, texture, sampler)->offset));
+}
+
 static void invoke_image(struct shader_generator *g, uint32_t value, bool is_store)
 {
     struct shader_node *const node = &g->form->nodes[value];
@@ -148,15 +158,10 @@ static void invoke_image(struct shader_generator *g, uint32_t value, bool is_sto
     }
     struct shader_invocation call = {.which = node->op, .argument_count = 4, .result = SHADER_NONE};
     const uint32_t unlike = (15u ^ SHADER_DO_SAMPLE) | SHADER_IMAGE_HAS_LEAST_LOD;
-    const bool is_plain =
-        node->op == SHADER_SAMPLE && is_one && sampler != SHADER_NONE && (node->immediate & unlike) == 0;
+    const bool is_plain = node->op == SHADER_SAMPLE && is_one && (node->immediate & unlike) == 0;
     call.arguments[0] = shader_bound_argument();
     call.arguments[1] = shader_site_argument(g, texture, sampler, node->immediate, 0);
-    call.arguments[2] =
-        !is_one ? shader_number_argument(0)
-        : sampler == SHADER_NONE
-            ? shader_found_argument(g, texture)
-            : shader_address_argument(x86_at(X86_RSP, (int32_t)find_pair(g, texture, sampler)->offset));
+    call.arguments[2] = is_one ? one_image(g, texture, sampler) : shader_number_argument(0);
     call.arguments[3] = shader_address_argument(SHADER_FRAME(request));
     if (!is_store) {
         shader_take_block(g, value);
@@ -171,6 +176,120 @@ static void invoke_image(struct shader_generator *g, uint32_t value, bool is_sto
         call.arguments[3] = shader_number_argument(node->immediate);
     }
     shader_invoke(g, &call);
+}
+
+// Windows --------------------------------------------------------------------------------------------
+
+enum { FEWEST_PARTS = 3, WIDEST = 8, FAR = 512 };
+
+// Comparisons of one place at offsets that are known, as percentage-closer filters have them. They are one call.
+struct window {
+    int64_t low[2], high[2]; // offsets
+    uint32_t corner[2];      // the constants of the lowest
+    uint32_t parts;
+};
+
+// Return true for a SAMPLE that asks what the first one does, but for the offset, which is known.
+static bool is_in_window(const struct shader_generator *g, uint32_t place, uint32_t first)
+{
+    const uint32_t fields = 15 | 3 << SHADER_IMAGE_SPATIAL_SHIFT | SHADER_IMAGE_IS_ARRAYED |
+                            SHADER_IMAGE_HAS_REFERENCE | SHADER_IMAGE_HAS_OFFSET | SHADER_IMAGE_HAS_LEAST_LOD;
+    const uint32_t wanted = SHADER_DO_SAMPLE | 2 << SHADER_IMAGE_SPATIAL_SHIFT | SHADER_IMAGE_HAS_REFERENCE |
+                            SHADER_IMAGE_HAS_OFFSET;
+    const struct shader_program *const form = g->form;
+    struct shader_node *const a = &form->nodes[form->code[first]], *const b = &form->nodes[form->code[place]];
+    if (b->op != SHADER_SAMPLE || (b->immediate & fields) != wanted || a->immediate != b->immediate ||
+        g->plan.block[place] != g->plan.block[first]) {
+        return false;
+    }
+    uint32_t count;
+    const uint32_t *const of = shader_operands(form, a, &count), *const by = shader_operands(form, b, &count);
+    for (uint32_t o = 0; o < count; o++) {
+        const bool is_offset = o == SHADER_IMAGE_OFFSET || o == SHADER_IMAGE_OFFSET + 1;
+        if (is_offset ? form->nodes[by[o]].op != SHADER_CONSTANT
+                      : of[o] != by[o] || form->nodes[of[o]].op == SHADER_HOME) {
+            return false;
+        }
+    }
+    for (uint32_t i = place + 1; i < form->code_count && form->nodes[form->code[i]].op == SHADER_PART; i++) {
+        if (form->nodes[form->code[i]].immediate != 0) {
+            return false;
+        }
+    }
+    return true;
+}
+
+static int32_t offset_of(const struct shader_generator *g, uint32_t place, uint32_t axis, uint32_t *constant)
+{
+    uint32_t count;
+    *constant =
+        shader_operands(g->form, &g->form->nodes[g->form->code[place]], &count)[SHADER_IMAGE_OFFSET + axis];
+    return (int32_t)g->form->nodes[*constant].immediate;
+}
+
+static struct window find_window(const struct shader_generator *g, uint32_t first, uint32_t end)
+{
+    struct window window = {.parts = 0};
+    for (uint32_t i = first; i < end; i++) {
+        if (!is_in_window(g, i, first)) {
+            continue;
+        }
+        for (uint32_t axis = 0; axis < 2; axis++) {
+            uint32_t constant;
+            const int32_t offset = offset_of(g, i, axis, &constant);
+            if (window.parts == 0 || offset < window.low[axis]) {
+                window.low[axis] = offset;
+                window.corner[axis] = constant;
+            }
+            window.high[axis] = window.parts == 0 || offset > window.high[axis] ? offset : window.high[axis];
+        }
+        window.parts++;
+    }
+    return window;
+}
+
+// Write a window with the first of its parts. Return false where there is none that pays.
+static bool select_window(struct shader_generator *g, uint32_t value)
+{
+    if (g->values[value].home == SHADER_IN_WINDOW) {
+        return true; // it came with the first
+    }
+    struct shader_node *const node = &g->form->nodes[value];
+    const uint32_t first = g->place, rest = g->form->code_count - first;
+    const uint32_t end = first + (rest < FAR ? rest : FAR);
+    const struct window window = find_window(g, first, end);
+    const int64_t columns = window.high[0] - window.low[0] + 1, rows = window.high[1] - window.low[1] + 1;
+    uint32_t operands[SHADER_IMAGE_OPERANDS], count;
+    const uint32_t *const given = shader_operands(g->form, node, &count);
+    const uint32_t texture = shader_resource_of(g, given[SHADER_IMAGE_TEXTURE]),
+                   sampler = sampler_of(g, node, given);
+    if (window.parts < FEWEST_PARTS || columns > WIDEST || rows > WIDEST ||
+        columns * rows > 2 * window.parts || !is_one_image(g, texture, sampler) || g->plan.has_effects) {
+        return false;
+    }
+    memcpy(operands, given, count * sizeof *operands);
+    memcpy(&operands[SHADER_IMAGE_OFFSET], window.corner, sizeof window.corner);
+    put_request(g, operands, node->immediate);
+    const uint32_t parts = shader_take_frame(g, (uint32_t)(columns * rows) * VECTOR);
+    const struct shader_invocation call = {
+        .which = SHADER_CALL_COMPARE_WINDOW,
+        .argument_count = 6,
+        .arguments = {one_image(g, texture, sampler), shader_address_argument(SHADER_FRAME(request)),
+                      shader_number_argument(node->immediate), shader_number_argument((uint64_t)columns),
+                      shader_number_argument((uint64_t)rows),
+                      shader_address_argument(x86_at(X86_RSP, (int32_t)parts))},
+        .result = SHADER_NONE};
+    shader_invoke(g, &call);
+    for (uint32_t i = first; i < end; i++) {
+        if (is_in_window(g, i, first)) {
+            uint32_t constant;
+            const int64_t column = offset_of(g, i, 0, &constant) - window.low[0],
+                          row = offset_of(g, i, 1, &constant) - window.low[1];
+            g->values[g->form->code[i]].home = SHADER_IN_WINDOW;
+            g->values[g->form->code[i]].offset = parts + (uint32_t)(row * columns + column) * VECTOR;
+        }
+    }
+    return true;
 }
 
 // A part lies where the whole does.
@@ -205,7 +324,11 @@ static void ask_for_gradient(struct shader_generator *g, uint32_t value)
 bool shader_select_image(struct shader_generator *g, uint32_t value)
 {
     switch ((enum shader_op)g->form->nodes[value].op) {
-    case SHADER_SAMPLE: invoke_image(g, value, false); return true;
+    case SHADER_SAMPLE:
+        if (!select_window(g, value)) {
+            invoke_image(g, value, false);
+        }
+        return true;
     case SHADER_PART: place_part(g, value); return true;
     case SHADER_IMAGE_STORE: invoke_image(g, value, true); return true;
     case SHADER_NEEDS_GRADIENT: ask_for_gradient(g, value); return true;

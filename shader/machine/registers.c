@@ -225,7 +225,8 @@ struct x86_operand shader_home_of(struct shader_generator *g, uint32_t value)
         v->home = SHADER_IN_FRAME;
         v->offset = g->homes.count > 0 ? g->homes.offsets[--g->homes.count] : shader_take_frame(g, VECTOR);
         return x86_at(X86_RSP, (int32_t)v->offset);
-    case SHADER_IN_FRAME: return x86_at(X86_RSP, (int32_t)v->offset);
+    case SHADER_IN_FRAME:
+    case SHADER_IN_WINDOW: return x86_at(X86_RSP, (int32_t)v->offset);
     case SHADER_IN_RECORD: return x86_at(X86_R15, (int32_t)v->offset);
     case SHADER_IN_GROUP: return x86_at(X86_RBX, (int32_t)v->offset);
     case SHADER_IN_INPUTS: return x86_at(X86_R12, (int32_t)v->offset);

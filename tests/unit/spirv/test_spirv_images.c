@@ -361,13 +361,34 @@ static void test_compute_samples_as_c_does(void **state)
 
 // Levels that follow from how coordinates change -----------------------------------------------------
 
-enum { SIZE = 24, DRAWS = 7 };
+enum { SIZE = 24, DRAWS = 8 };
 
 // What the C shader gets, as the translated one does.
 struct uniforms {
     const struct rhw_binding *set;
     int which;
 };
+
+// Comparisons of a window, each with a weight of its own.
+static void compare_around(const struct rhw_binding *shadow, const rhw_float *at, const rhw_float *gradient,
+                           rhw_float sums[4])
+{
+    static const struct {
+        int x, y, sum;
+        float weight;
+    } parts[] = {{-1, -1, 0, 1}, {0, -1, 0, 2}, {1, -1, 0, 4}, {-1, 0, 1, 1}, {0, 0, 1, 2},
+                 {1, 0, 1, 4},   {-1, 1, 2, 1}, {0, 1, 2, 2},  {1, 1, 2, 4},  {3, 0, 3, 1}};
+    const rhw_float reference = rhw_splat(0.001f);
+    sums[0] = sums[1] = sums[2] = sums[3] = rhw_splat(0.0f);
+    for (size_t i = 0; i < sizeof parts / sizeof *parts; i++) {
+        const rhw_int offset[3] = {rhw_splat_int(parts[i].x), rhw_splat_int(parts[i].y), rhw_splat_int(0)};
+        const struct rhw_sample_request request = {
+            .coordinates = at, .gradient = gradient, .reference = &reference, .offset = offset};
+        rhw_float texel[4];
+        rhw_binding_sample(shadow, &request, texel);
+        sums[parts[i].sum] = sums[parts[i].sum] + parts[i].weight * texel[0];
+    }
+}
 
 static void paint(struct rhw_fragment *groups, int count)
 {
@@ -393,6 +414,10 @@ static void paint(struct rhw_fragment *groups, int count)
             request.lod = &least;
             break;
         default: break;
+        }
+        if (uniforms->which == 7) {
+            compare_around(&set[2], at, flat, texel);
+            continue;
         }
         rhw_binding_sample(&set[uniforms->which == 2 ? 1 : 0], &request, texel);
         if (uniforms->which == 3) {

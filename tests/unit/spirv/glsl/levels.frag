@@ -7,6 +7,9 @@ layout(push_constant) uniform Push { float scale; int which; };
 layout(location = 0) in vec4 value;
 layout(location = 0) out vec4 target;
 
+#define PART(x, y) textureOffset(shadow, vec3(value.xy, 0.001), ivec2(x, y))
+#define ROW(y) (PART(-1, y) + 2.0 * PART(0, y) + 4.0 * PART(1, y))
+
 void main()
 {
     switch (which) {
@@ -16,6 +19,7 @@ void main()
     case 3: target = vec4(texture(shadow, vec3(value.xy, 0.001)), textureQueryLod(plane, value.xy), 1.0); break;
     case 4: target = textureOffset(plane, value.xy, ivec2(1, 2)); break;
     case 5: target = textureClampARB(plane, value.xy, 0.0); break;
+    case 7: target = vec4(ROW(-1), ROW(0), ROW(1), PART(3, 0)); break;
     default: target = textureClampARB(plane, value.xy, 2.5); break;
     }
 }
