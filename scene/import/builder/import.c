@@ -12,6 +12,7 @@
 
 #include "child.h"
 #include "file.h"
+#include "huge_pages.h"
 
 enum { MESSAGES = 64 }; // lines of each kind that are kept; a hostile file could make millions
 
@@ -32,6 +33,7 @@ void *scene_import_allocate(struct scene_import *import, size_t count, size_t si
     if (memory == NULL) {
         scene_import_fail(import, "needs more memory than there is (%zu MiB more)", count / 1048576 * size);
     }
+    system_huge_pages_prefer(memory, count * size);
     return memory;
 }
 
@@ -47,6 +49,7 @@ void scene_import_reserve(struct scene_import *import, void *array, size_t *capa
     if (moved == NULL) {
         scene_import_fail(import, "needs more memory than there is");
     }
+    system_huge_pages_prefer(moved, larger * size);
     *elements = moved;
     *capacity = larger;
 }
@@ -64,6 +67,7 @@ static void *grow(struct scene_import *import, void *array, uint32_t *count, uin
         if (moved == NULL) {
             scene_import_fail(import, "needs more memory than there is");
         }
+        system_huge_pages_prefer(moved, larger * size);
         *elements = moved;
         *capacity = larger;
     }
@@ -300,6 +304,7 @@ void *scene_import_read_bytes(const char *path, size_t *size, const char **probl
         close(descriptor);
         return NULL;
     }
+    system_huge_pages_prefer(bytes, *size);
     size_t done = 0;
     while (done < *size) {
         // Windows reads no more at a time, and Linux little more.

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// Large blocks are marked for huge pages, where Linux lists the marks; small ones are not, and no byte changes.
+#include "unit.h"
+
+#include <inttypes.h>
+#include <stdbool.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "huge_pages.h"
+
+enum { MEBIBYTE = 1 << 20 };
+
+// Return 1 if the mapping that holds `block` is marked, 0 if not, and -1 where the system has no huge pages or lists no
+// marks.
+static int is_marked(const void *block)
+{
+    const bool has_huge_pages = access("/sys/kernel/mm/transparent_hugepage", F_OK) == 0;
+    FILE *const maps = has_huge_pages ? fopen("/proc/self/smaps", "r") : NULL;
+    char line[512];
+    int marked = -1;
+    bool is_inside = false;
+    while (maps && fgets(line, sizeof line, maps)) {
+        uintptr_t first, end;
+        if (sscanf(line, "%" SCNxPTR "-%" SCNxPTR " ", &first, &end) == 2) {
+            is_inside = (uintptr_t)block >= first && (uintptr_t)block < end;
+        } else if (is_inside && strncmp(line, "VmFlags:", 8) == 0) {
+            marked = strstr(line, " hg") != NULL;
+        }
+    }
+    if (maps) {
+        fclose(maps);
+    }
+    return marked;
+}
+
+static void test_large_blocks_are_marked(void **state)
+{
+    (void)state;
+    unsigned char *const block = malloc(16 * MEBIBYTE);
+    assert_non_null(block);
+    block[0] = 1;
+    block[16 * MEBIBYTE - 1] = 2;
+    system_huge_pages_prefer(block, MEBIBYTE);
+    assert_int_not_equal(is_marked(block + 8 * MEBIBYTE), 1);
+    system_huge_pages_prefer(block, 16 * MEBIBYTE);
+    const int marked = is_marked(block + 8 * MEBIBYTE);
+    assert_int_equal(block[0], 1);
+    assert_int_equal(block[16 * MEBIBYTE - 1], 2);
+    free(block);
+    if (marked < 0) {
+        skip();
+    }
+    assert_int_equal(marked, 1);
+}
+
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_large_blocks_are_marked),
+};
+
+const struct unit_tests test_huge_pages = UNIT_TESTS(tests, NULL, NULL);
