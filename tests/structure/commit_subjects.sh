@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# The subject of a commit has at most 72 characters and no period at its end. Commits up to the one named below are older
+# The subject of a commit has at most 72 characters, more than one word and no period at its end. Commits up to the one named below are older
 # than this check and stay as they are; merges have the subjects that git gives them.
 # usage: commit_subjects.sh PROJECT_FOLDER
 # The exit status is 77 where there is no history to look at.
@@ -30,6 +30,7 @@ printf '%s\n' "$commits" | LC_ALL=C awk '
         reason = ""
         if (length(characters) > 72) { reason = "has " length(characters) " characters, more than 72" }
         else if (subject ~ /[.]$/) { reason = "ends with a period" }
+        else if (subject !~ / /) { reason = "says nothing in one word" }
         if (reason) {
             print "the subject of commit " $1 " " reason ": " subject
             failed++
