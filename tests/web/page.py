@@ -371,8 +371,8 @@ class Page(PageCase):
                               ".map((c) => c.textContent)).find((r) => r[0] === arguments[0])",
                               varying["name"] if not varying["name"].startswith("uv of") else
                               f"{varying['name'][-1]} of {varying['name'][6:-2].replace('base color', 'base colour')}")
-            self.assertAlmostEqual(float(row[6].replace("−", "-")), varying["pipeline"], delta=1e-9 + abs(varying["pipeline"]) * 1e-5)
-            self.assertEqual(row[7], f"{varying['error_ulp']:.2f}")
+            self.assertAlmostEqual(float(row[3].replace("−", "-")), varying["pipeline"], delta=1e-9 + abs(varying["pipeline"]) * 1e-5)
+            self.assertEqual(row[4], f"{varying['error_ulp']:.2f}")
         spelled = self.script("const page = document.body.cloneNode(true); page.querySelectorAll('.code, script').forEach((node) => node.remove());"
                               "return page.textContent.match(/[a-z]* ?color[a-z]*/gi) ?? []")
         self.assertEqual(spelled, [], "one spelling, but for names in programs")
@@ -389,7 +389,9 @@ class Page(PageCase):
         self.script("document.getElementById('model').scrollIntoView()")
         self.browser.save_screenshot(os.path.join(sys.argv[3], "model_explained_zh.png"))
         self.node("#language").click()
-        self.size(390, 844)
+        self.size(360, 844)
+        told = self.script("const row = document.querySelectorAll('#model .explained tr:first-child')[1]; return row.cells[4].getBoundingClientRect().right")
+        self.assertLessEqual(told, 360, "what became of a value stands before what its corners have")
         wide = ("const room = [...document.querySelectorAll('#model .explained .scroll')].find((one) => one.scrollWidth > one.clientWidth + 20);"
                 "room.scrollLeft = 100; const left = (node) => Math.round(node.getBoundingClientRect().left);"
                 "return [left(room.querySelector('td')) - left(room), room.scrollLeft > 10]")

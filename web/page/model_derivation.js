@@ -178,12 +178,12 @@ function showValues(parent, { varyings }) {
   const number = (value) => (value === null ? '–' : long(Number(value.toPrecision(6))));
   const rows = varyings.map(({ name, vertices, naive, exact, pipeline, error_ulp: error }) => [
     valueName(name),
-    ...vertices.map(number),
     ...[naive, exact, pipeline].map(number),
     error === null ? '–' : error.toFixed(2),
+    ...vertices.map(number), // last, as a phone has room for the others alone
   ]);
-  table(block, [{ en: 'value', zh: '值' }, ...CORNERS.map((name) => formula(`I_${name}`)), { en: 'naive', zh: '未校正' }, { en: 'correct', zh: '正确' },
-                { en: 'rhw wrote', zh: 'rhw 的结果' }, 'ULP'], rows);
+  table(block, [{ en: 'value', zh: '值' }, { en: 'naive', zh: '未校正' }, { en: 'correct', zh: '正确' }, { en: 'rhw wrote', zh: 'rhw 的结果' }, 'ULP',
+                ...CORNERS.map((name) => formula(`I_${name}`))], rows);
   note(block, {
     en: 'Naive is r, s, t times the corners’ values, correct a, b, c times them, in exact arithmetic. ULP is the error of what rhw wrote, in units of the last place of the largest corner value; it promises 8 at most.',
     zh: '“未校正”是顶点值按 r、s、t 的加权和，“正确”是按 a、b、c 的加权和（用精确有理数算出）。ULP 是 rhw 结果的误差，以顶点最大值的末位为单位；保证不超过 8。',
