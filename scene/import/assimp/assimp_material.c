@@ -25,6 +25,24 @@ struct reader {
 
 // Values --------------------------------------------------------------------------------------------
 
+// End texts with a 0 where they say. assimp's own reader of materials ends the process for one that has none there, as
+// those of MDL7 may have.
+static void mend_texts(const struct aiMaterial *material)
+{
+    enum { LEAST = sizeof(uint32_t) + 1, MOST = sizeof(((struct aiString *)NULL)->data) + sizeof(uint32_t) };
+    for (unsigned i = 0; i < material->mNumProperties; i++) {
+        struct aiMaterialProperty *const property = material->mProperties[i];
+        if (property->mType == aiPTI_String && property->mDataLength >= LEAST &&
+            property->mDataLength <= MOST) {
+            const uint32_t length = property->mDataLength - LEAST;
+            memcpy(property->mData, &length, sizeof length);
+            property->mData[property->mDataLength - 1] = 0;
+        } else if (property->mType == aiPTI_String) {
+            property->mType = aiPTI_Buffer;
+        }
+    }
+}
+
 static void get_float(const struct reader *reader, const char *key, float *value)
 {
     float read = 0;
@@ -288,6 +306,7 @@ uint32_t scene_assimp_material(struct scene_import *import, const struct aiScene
     const struct reader reader = {import, scene, source};
     struct scene_phong phong = scene_phong_default();
     struct aiString name;
+    mend_texts(source);
     if (aiGetMaterialString(source, "?mat.name", 0, 0, &name) == aiReturn_SUCCESS) {
         phong.name = scene_assimp_string(import, &name);
     }

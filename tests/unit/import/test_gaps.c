@@ -412,6 +412,50 @@ static void test_frames(void **state)
     }
 }
 
+static void append(unsigned char *bytes, size_t *size, const void *more, size_t count)
+{
+    memcpy(bytes + *size, more, count);
+    *size += count;
+}
+
+// A model of 3D GameStudio, whose texture has a name that assimp keeps without the 0 at its end: a triangle.
+static void test_gamestudio(void **state)
+{
+    (void)state;
+    static const char texture[] = "wall.bmp";
+    static const int32_t skin[2] = {sizeof texture, 1}, counts[5] = {1, 3, 1, 3, 1}, material = 0;
+    static const float coordinates[3][2] = {{0, 0}, {1, 0}, {0, 1}}, normal[3] = {0, 0, 1},
+                       places[3][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    static const uint16_t face[6] = {0, 1, 2, 0, 1, 2}, no_bone = UINT16_MAX,
+                          sizes[10] = {36, 28, 16, 68, 8, 16, 26, 26, 68, 24};
+    unsigned char bytes[512] = {0};
+    const int32_t head[7] = {0x374c444d, 0, 0, 1, 0, 0, 0}, data = 0;
+    size_t size = 0;
+    append(bytes, &size, head, sizeof head);
+    append(bytes, &size, sizes, sizeof sizes);
+    append(bytes, &size, "\1\0\0\0", 4); // the group
+    append(bytes, &size, &data, sizeof data);
+    append(bytes, &size, "group\0\0\0\0\0\0\0\0\0\0\0", 16);
+    append(bytes, &size, counts, sizeof counts);
+    append(bytes, &size, "\7\0\0\0", 4); // its skin
+    append(bytes, &size, skin, sizeof skin);
+    append(bytes, &size, "skin\0\0\0\0\0\0\0\0\0\0\0\0", 16);
+    append(bytes, &size, texture, sizeof texture);
+    append(bytes, &size, coordinates, sizeof coordinates);
+    append(bytes, &size, face, sizeof face);
+    append(bytes, &size, &material, sizeof material);
+    for (int i = 0; i < 3; i++) {
+        append(bytes, &size, places[i], sizeof places[i]);
+        append(bytes, &size, &no_bone, sizeof no_bone);
+        append(bytes, &size, normal, sizeof normal);
+    }
+    write_bytes("g.mdl", bytes, size + 24); // a frame without vertices
+    struct scene_model *const model = load("g.mdl");
+    assert_int_equal(model->triangles_drawn, 1);
+    assert_string_equal(model->images[0].name, texture);
+    scene_model_free(model);
+}
+
 // Words of formats that assimp passes over without a word in its log.
 static void test_words(void **state)
 {
@@ -665,14 +709,23 @@ static void test_warnings(void **state)
 }
 
 static const struct CMUnitTest tests[] = {
-    cmocka_unit_test(test_warnings),  cmocka_unit_test(test_vertices),
-    cmocka_unit_test(test_ase),       cmocka_unit_test(test_no_colors),
-    cmocka_unit_test(test_materials), cmocka_unit_test(test_texts),
-    cmocka_unit_test(test_entities),  cmocka_unit_test(test_drawings),
-    cmocka_unit_test(test_schema),    cmocka_unit_test(test_meshes_without_faces),
-    cmocka_unit_test(test_log),       cmocka_unit_test(test_textures),
-    cmocka_unit_test(test_collada),   cmocka_unit_test(test_words),
-    cmocka_unit_test(test_frames),    cmocka_unit_test(test_cameras_and_lights),
+    cmocka_unit_test(test_warnings),
+    cmocka_unit_test(test_vertices),
+    cmocka_unit_test(test_ase),
+    cmocka_unit_test(test_gamestudio),
+    cmocka_unit_test(test_no_colors),
+    cmocka_unit_test(test_materials),
+    cmocka_unit_test(test_texts),
+    cmocka_unit_test(test_entities),
+    cmocka_unit_test(test_drawings),
+    cmocka_unit_test(test_schema),
+    cmocka_unit_test(test_meshes_without_faces),
+    cmocka_unit_test(test_log),
+    cmocka_unit_test(test_textures),
+    cmocka_unit_test(test_collada),
+    cmocka_unit_test(test_words),
+    cmocka_unit_test(test_frames),
+    cmocka_unit_test(test_cameras_and_lights),
 };
 
 const struct unit_tests test_gaps = UNIT_TESTS(tests, make_directory, remove_directory);
