@@ -224,22 +224,23 @@ static void find_rows(struct ply *ply)
 
 // Meshes --------------------------------------------------------------------------------------------
 
-// Return the name of a texture's file in the bytes of the model's. MeshLab writes <this> at its start for the name of
-// the model without its ending.
+// Return the name of a texture's file in the bytes of the model's. MeshLab writes <this> in it for the name of the
+// model without its ending.
 static const char *texture_file(struct ply *ply, struct scene_word name)
 {
     static const char mark[] = "<this>";
-    const size_t length = sizeof mark - 1;
     const char *const text = scene_word_bytes(ply->import, name), *const path = ply->import->model.path;
-    if (strncmp(text, mark, length) != 0) {
+    const char *const place = strstr(text, mark);
+    if (place == NULL) {
         return text;
     }
     const char *const slash = strrchr(path, '/'), *const file = slash == NULL ? path : slash + 1;
-    const char *const dot = strrchr(file, '.');
-    const size_t stem = dot == NULL ? strlen(file) : (size_t)(dot - file);
-    char *const whole = scene_import_allocate(ply->import, stem + name.length - length + 1, 1);
-    memcpy(whole, file, stem);
-    memcpy(whole + stem, text + length, name.length - length);
+    const char *const dot = strrchr(file, '.'), *const rest = place + strlen(mark);
+    const size_t stem = dot == NULL ? strlen(file) : (size_t)(dot - file), before = (size_t)(place - text);
+    char *const whole = scene_import_allocate(ply->import, before + stem + strlen(rest) + 1, 1);
+    memcpy(whole, text, before);
+    memcpy(whole + before, file, stem);
+    memcpy(whole + before + stem, rest, strlen(rest));
     return whole;
 }
 

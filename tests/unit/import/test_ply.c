@@ -202,14 +202,19 @@ static void test_texture_named_by_model(void **state)
 {
     (void)state;
     static const unsigned char texel[] = {[2] = 2, [12] = 1, [14] = 1, [16] = 24, [18] = 0, 0, 255};
-    write_bytes("t.b_A.tga", texel, sizeof texel);
-    struct scene_model *model = load_text(
-        "t.b.ply", "ply\nformat ascii 1.0\ncomment TextureFile <this>_A.tga\nelement vertex 3\n" VERTICES
-                   "property float s\nproperty float t\nelement face 1\n" LIST "end_header\n"
-                   "0 0 0 0 0\n1 0 0 1 0\n1 1 0 1 1\n3 0 1 2\n");
-    assert_int_equal(model->warning_count, 0);
-    assert_string_equal(model->images[0].name, "t.b_A.tga");
-    scene_model_free(model);
+    static const char *const names[][2] = {{"<this>_A.tga", "t.b_A.tga"}, {"a_<this>.tga", "a_t.b.tga"}};
+    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
+        write_bytes(names[i][1], texel, sizeof texel);
+        write_format("t.b.ply",
+                     "ply\nformat ascii 1.0\ncomment TextureFile %s\nelement vertex 3\n" VERTICES
+                     "property float s\nproperty float t\nelement face 1\n" LIST "end_header\n"
+                     "0 0 0 0 0\n1 0 0 1 0\n1 1 0 1 1\n3 0 1 2\n",
+                     names[i][0]);
+        struct scene_model *const model = load("t.b.ply");
+        assert_int_equal(model->warning_count, 0);
+        assert_string_equal(model->images[0].name, names[i][1]);
+        scene_model_free(model);
+    }
 }
 
 // Corners of strips have the texture coordinates 0, 0 beside faces that have some.
