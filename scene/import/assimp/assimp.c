@@ -42,12 +42,12 @@ static const double pi = 3.14159265358979324;
 
 // Meshes --------------------------------------------------------------------------------------------
 
-// Return the colours of a mesh's vertices. Return NULL if there are none: assimp gives all meshes of an AMF some, of
-// which nothing is set where the file has no colours.
+// Return the colours of a mesh's vertices. Return NULL if there are none: assimp gives all meshes of an AMF some, and
+// some of Blender's, of which nothing is set where the file has no colours.
 static const struct aiColor4D *colors_of(const struct scene_import *import, const struct aiMesh *mesh)
 {
     const struct aiColor4D *const colors = mesh->mColors[0];
-    if (strcasecmp(import->ending, "amf") != 0) {
+    if (strcasecmp(import->ending, "amf") != 0 && strcasecmp(import->ending, "blend") != 0) {
         return colors;
     }
     for (unsigned i = 0; colors != NULL && i < mesh->mNumVertices; i++) {
@@ -57,6 +57,32 @@ static const struct aiColor4D *colors_of(const struct scene_import *import, cons
         }
     }
     return NULL;
+}
+
+// Bring the colours of a mesh of Blender before 2.63 to what others have. assimp takes their bytes for numbers with a
+// sign. Red and blue stand in each other's place, and nothing is meant by alpha.
+static void mend_colors(const struct scene_import *import, const struct aiMesh *mesh)
+{
+    struct aiColor4D *const colors = mesh->mColors[0];
+    bool are_bytes = false;
+    if (strcasecmp(import->ending, "blend") != 0 || colors == NULL) {
+        return;
+    }
+    for (unsigned i = 0; i < mesh->mNumVertices && !are_bytes; i++) {
+        const float values[4] = {colors[i].r, colors[i].g, colors[i].b, colors[i].a};
+        for (int c = 0; c < 4; c++) {
+            are_bytes = are_bytes || values[c] < 0 || values[c] > 1;
+        }
+    }
+    for (unsigned i = 0; i < mesh->mNumVertices && are_bytes; i++) {
+        const float values[3] = {colors[i].b, colors[i].g, colors[i].r};
+        float mended[3];
+        for (int c = 0; c < 3; c++) {
+            const bool is_byte = values[c] >= -128 && values[c] <= 127;
+            mended[c] = is_byte ? (float)((int)values[c] & 255) / 255 : 1;
+        }
+        colors[i] = (struct aiColor4D){mended[0], mended[1], mended[2], 1};
+    }
 }
 
 static uint32_t material_of(struct reader *reader, const struct aiMesh *mesh)
@@ -213,6 +239,7 @@ static void add_mesh(struct reader *reader, uint32_t index)
     mesh.normals = copy_vectors(import, source->mNormals, count);
     mesh.uvs[0] = copy_uvs(import, source->mTextureCoords[0], count);
     mesh.uvs[1] = copy_uvs(import, source->mTextureCoords[1], count);
+    mend_colors(import, source);
     mesh.colors = copy_colors(import, colors_of(import, source), count);
     fix_alpha(import, &mesh);
     tell_of_third(import, source);

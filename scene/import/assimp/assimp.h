@@ -51,6 +51,8 @@ struct scene_assimp_unknowns {
     unsigned count;
 };
 
+/// Tell the user what assimp leaves out of a Blender file, and what of it is drawn that is hidden.
+void scene_assimp_look_at_blender(struct scene_import *import);
 /// What assimp reads: the file of the import, or the bytes that stand for it.
 struct scene_assimp_source {
     struct scene_import *import;

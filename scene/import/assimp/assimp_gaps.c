@@ -99,7 +99,8 @@ static bool tells_of_gap(const char *line)
         "maya texture blend mode",
         "setting default material",
         "unsupported chunk:",
-        "unknown node \"", // an X3D is read again without it
+        "type is unsupported: `", // blender_gaps.c tells of objects of Blender
+        "unknown node \"",        // an X3D is read again without it
     };
     return has_any(line, gaps, sizeof gaps / sizeof *gaps) &&
            !has_any(line, others, sizeof others / sizeof *others);
@@ -238,6 +239,7 @@ void scene_assimp_find_gaps(struct scene_import *import)
         scene_assimp_look_at_collada(import, bytes, size);
     }
     scene_assimp_look_at_ase(import, bytes, size);
+    scene_assimp_look_at_blender(import);
     if (strcasecmp(import->ending, "dxf") == 0) {
         scene_assimp_look_at_dxf(import, bytes, size);
     } else {

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+// What assimp leaves out of Blender files, by files of its own tests that are changed byte by byte.
+#include "model_files.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#define MODELS "/usr/share/assimp/models/BLEND/"
+
+// Read a file. Skip the test if it is not there.
+static size_t read_model(const char *path, unsigned char *bytes, size_t room)
+{
+    FILE *const file = fopen(path, "rb");
+    if (file == NULL) {
+        skip();
+    }
+    const size_t size = fread(bytes, 1, room, file);
+    fclose(file);
+    assert_true(size < room);
+    return size;
+}
+
+// Load a file with a byte at a place.
+static struct scene_model *load_changed(const char *path, size_t place, unsigned char byte)
+{
+    static unsigned char bytes[1 << 20];
+    const size_t size = read_model(path, bytes, sizeof bytes);
+    bytes[place] = byte;
+    write_bytes("b.blend", bytes, size);
+    return load("b.blend");
+}
+
+// Objects of kinds that assimp does not know, hidden ones, and materials that it does not understand, in files with
+// pointers of eight bytes and of four.
+static void test_told(void **state)
+{
+    (void)state;
+    static const char wide[] = MODELS "BlenderDefault_269.blend",
+                      narrow[] = MODELS "BlenderDefault_248.blend";
+    static const char hidden[] = "hidden objects: drawn";
+    static const struct {
+        const char *path;
+        size_t place;
+        unsigned char byte;
+        const char *told;
+    } cases[] = {
+        {wide, 297544, 0, NULL},
+        {wide, 297544, 1, hidden}, // in the view
+        {wide, 297544, 2, NULL},   // from being selected
+        {wide, 297544, 4, hidden}, // in pictures
+        {wide, 297312, 2, hidden}, // on another layer
+        {wide, 299228, 4, NULL},   // a lamp
+        {wide, 300211, 1, "materials of nodes (Blender): drawn plain"},
+        {wide, 297608, 1, "particles (Blender): not drawn"},
+        {wide, 298188, 2, "curves (Blender): not drawn"},
+        {narrow, 77826, 0, NULL},
+        {narrow, 77826, 4, hidden},
+        {narrow, 77572, 2, hidden},
+        {narrow, 77976, 4, "text (Blender): not drawn"},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        const char *const told = cases[i].told;
+        struct scene_model *const model = load_changed(cases[i].path, cases[i].place, cases[i].byte);
+        assert_int_equal(model->triangles_drawn, 12);
+        if (model->unsupported_count != (told != NULL) || (told != NULL && !is_unsupported(model, told))) {
+            fail_msg("case %zu: %u lines, such as %s", i, model->unsupported_count,
+                     model->unsupported_count > 0 ? model->unsupported[0] : "none");
+        }
+        scene_model_free(model);
+    }
+}
+
+// White vertex colours of an early version, which assimp takes for -1.
+static void test_colors(void **state)
+{
+    (void)state;
+    struct scene_model *const model = load_changed(MODELS "BlenderDefault_250.blend", 0, 'B');
+    const struct scene_mesh *const mesh = &model->meshes[0];
+    assert_non_null(mesh->colors);
+    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
+        assert_floats(mesh->colors[i], (const float[]){1, 1, 1, 1}, 4, 0);
+    }
+    scene_model_free(model);
+}
+
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_told),
+    cmocka_unit_test(test_colors),
+};
+
+const struct unit_tests test_blender = UNIT_TESTS(tests, make_directory, remove_directory);
