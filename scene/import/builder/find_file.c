@@ -181,6 +181,14 @@ static bool find_anywhere(const struct search *search, const char *name, bool is
         found = find_in_package(search, forms.names[i]);
     }
     found = found || find_forms(search, &forms, 0);
+    // A URI may have its accents encoded: all forms so far are looked at.
+    const size_t spelled = forms.count;
+    for (size_t i = 0; i < spelled && !found; i++) {
+        if (!is_ascii(forms.names[i])) {
+            scene_name_forms_add_accents(search->import, &forms, forms.names[i]);
+        }
+    }
+    found = found || find_forms(search, &forms, spelled);
     if (!found && !is_ascii(name)) {
         const size_t first = forms.count;
         scene_name_forms_add_code_pages(search->import, &forms, name);

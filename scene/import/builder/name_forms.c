@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "accents.h"
 #include "code_page.h"
 #include "confine.h"
 
@@ -116,6 +117,18 @@ void scene_name_forms_add_code_pages(struct scene_import *import, struct scene_n
             free(add_converted(import, forms, narrow, unpacked[k], SYSTEM_CODE_PAGE_UTF8));
         }
         free(narrow);
+    }
+}
+
+void scene_name_forms_add_accents(struct scene_import *import, struct scene_name_forms *forms,
+                                  const char *name)
+{
+    char *const other[] = {scene_accents_join(import, name), scene_accents_part(import, name)};
+    for (size_t i = 0; i < sizeof other / sizeof other[0]; i++) {
+        if (other[i] != NULL) {
+            scene_name_forms_add(import, forms, other[i]);
+        }
+        free(other[i]);
     }
 }
 

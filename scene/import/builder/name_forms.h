@@ -18,6 +18,10 @@ void scene_name_forms_add(struct scene_import *import, struct scene_name_forms *
 /// instead of UTF-8, or was taken for one when an archive was unpacked.
 void scene_name_forms_add_code_pages(struct scene_import *import, struct scene_name_forms *forms,
                                      const char *name);
+/// Add the forms of a name whose accents are joined to their letters in the file's name and parted from them in this
+/// one, or the other way round.
+void scene_name_forms_add_accents(struct scene_import *import, struct scene_name_forms *forms,
+                                  const char *name);
 void scene_name_forms_free(struct scene_name_forms *forms);
 
 #endif

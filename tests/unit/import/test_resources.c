@@ -185,6 +185,34 @@ static void test_code_pages(void **state)
     }
 }
 
+// Accents that are joined to their letters in one name and parted from them in the other: Latin with one and two, Cyrillic,
+// Japanese, and Korean with and without a last consonant.
+static void test_parted_accents(void **state)
+{
+    (void)state;
+    static const char *const pairs[][2] = {
+        {"T\u00fcr \u00c5.tga", "Tu\u0308r A\u030a.tga"},
+        {"g\u1ed7.tga", "go\u0302\u0303.tga"},
+        {"\u1ee3\u0457\u0439.tga", "o\u031b\u0323\u0456\u0308\u0438\u0306.tga"},
+        {"\u304c\u30d1\u30b7.tga", "\u304b\u3099\u30cf\u309a\u30b7.tga"},
+        {"\uac00\ud55c\ud7a3 \U0001f600.tga",
+         "\u1100\u1161\u1112\u1161\u11ab\u1112\u1175\u11c2 \U0001f600.tga"},
+    };
+    for (size_t i = 0; i < sizeof pairs / sizeof pairs[0]; i++) {
+        for (int k = 0; k < 2; k++) {
+            write_picture(pairs[i][k]);
+            assert_true(is_found("m.obj", pairs[i][1 - k]));
+            unlink(path_of(pairs[i][k]));
+            assert_false(is_found("m.obj", pairs[i][1 - k]));
+        }
+    }
+    // In a folder with a name like that, with another ending, and encoded in a URI.
+    write_picture("Bu\u0308ro.tga");
+    assert_true(is_found("m.obj", "C:\\alt\\B\u00fcro.png"));
+    assert_true(is_found("m.obj", "B%C3%BCro.tga"));
+    unlink(path_of("Bu\u0308ro.tga"));
+}
+
 // Materials whose names are as long as each other in an unknown code page are two.
 static void test_material_code_pages(void **state)
 {
@@ -302,6 +330,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_beside_library),
     cmocka_unit_test(test_written_otherwise),
     cmocka_unit_test(test_code_pages),
+    cmocka_unit_test(test_parted_accents),
     cmocka_unit_test(test_material_code_pages),
     cmocka_unit_test(test_many_slashes),
     cmocka_unit_test(test_data_uris),
