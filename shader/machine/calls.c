@@ -95,7 +95,7 @@ static void take_words(struct shader_found *found)
 {
     const struct rhw_spirv_words words = rhw_spirv_words_of(found->binding);
     found->words = words.words;
-    found->count = words.count;
+    found->count = words.count < SHADER_MOST_WORDS ? words.count : SHADER_MOST_WORDS;
 }
 
 static void call_FIND_WORDS(const struct rhw_shader_frame *frame, const struct shader_site *site,

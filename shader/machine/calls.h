@@ -36,11 +36,14 @@ struct shader_site {
     uint32_t width; // bits that are stored
 };
 
+// Words that offsets of 32 bits reach.
+#define SHADER_MOST_WORDS (1u << 30)
+
 // A binding that all lanes of a call name, found once.
 struct shader_found {
     _Alignas(32) const struct rhw_binding *binding; // NULL: there is none
     const uint32_t *words;
-    uint64_t count; // words
+    uint64_t count; // words, at most SHADER_MOST_WORDS
 };
 
 // A texture with a sampler.

@@ -7,8 +7,6 @@
 
 #include <stdio.h>
 
-enum { ROUNDS_A_QUESTION = 256 };
-
 // Masks ----------------------------------------------------------------------------------------------
 
 // Return a new mask of the lanes of `mask` that are in another value too, or that are not.
@@ -285,11 +283,9 @@ void shader_generate_giving_up(struct shader_generator *g, const struct shader_e
                             : g->kind == RHW_SHADER_FRAGMENT ? offsetof(struct rhw_fragment, bindings)
                                                              : offsetof(struct rhw_vertex, bindings);
     const uint32_t go_on = shader_label_new(&g->code);
-    shader_put(g, X86_MOV, X86_RAX, 0, SHADER_FRAME(rounds));
-    shader_encode(&g->code, X86_ADD_I, 0, 0, x86_reg(X86_RAX), 1);
-    shader_put(g, X86_MOV_STORE, X86_RAX, 0, SHADER_FRAME(rounds));
-    shader_encode(&g->code, X86_TEST_I, 0, 0, x86_reg(X86_RAX), ROUNDS_A_QUESTION - 1);
+    shader_encode(&g->code, X86_SUB_I, 0, 0, SHADER_FRAME(rounds), 1);
     shader_encode_jump_if(&g->code, X86_NOT_EQUAL, go_on);
+    shader_encode(&g->code, X86_MOV_I, 0, 0, SHADER_FRAME(rounds), SHADER_ROUNDS_A_QUESTION);
     shader_put(g, X86_MOV | X86_WIDE, X86_RDI, 0, x86_at(is_compute ? X86_R14 : X86_RBX, (int32_t)bindings));
     shader_put(g, X86_CALL, 0, 0, shader_pool_bytes(&g->code, &function, sizeof function));
     shader_put(g, X86_TEST, X86_RAX, 0, x86_reg(X86_RAX));
@@ -315,6 +311,8 @@ static void generate_loop(struct shader_generator *g, uint32_t place)
     struct shader_edge *const again = shader_new_edge(g);
     shader_loop_begin(g, again, end);
     shader_end_place(g);
+    struct shader_edge *const outer_loop = g->loop;
+    g->loop = again;
     g->loop_depth++;
     g->mask = g->block_mask = round;
     shader_walk_narrow(&g->walk, place + 1, end, place);
@@ -337,6 +335,7 @@ static void generate_loop(struct shader_generator *g, uint32_t place)
     }
     take_mask(g, round);
     g->block_mask = outer;
+    g->loop = outer_loop;
     come_together(g, g->ends[place], end);
     shader_drop_value(g, round);
     end_leaving(g, place, before);

@@ -15,7 +15,7 @@
 #include "form/walk.h"
 #include "form/linked_stage.h"
 
-enum { VECTOR = 32, REGISTERS = 16, NO_COMPONENT = 0xff };
+enum { VECTOR = 32, REGISTERS = 16, NO_COMPONENT = 0xff, SHADER_ROUNDS_A_QUESTION = 256 };
 
 // What lies at rsp.
 struct shader_machine_frame {
@@ -25,7 +25,7 @@ struct shader_machine_frame {
     uint32_t count;      // groups of the call that are left
     uint32_t batch;      // as many groups go through the code together at most
     uint32_t here, left; // groups that go through the code together, and those of a run that are left
-    uint32_t rounds;     // rounds of loops until now
+    uint32_t rounds;     // rounds of loops until the next question
     uint32_t number;     // what a call receives
     rhw_int any;         // lanes that a loop over groups found
     struct shader_request request;
@@ -95,6 +95,7 @@ struct shader_generator {
     uint32_t loop_depth;           // loops of the run around this place
     bool is_dead;                  // no lane comes to this place
     bool is_gone;                  // code does not come to this place
+    struct shader_edge *loop;      // the begin of the innermost loop of the run, or NULL
     uint32_t group_loop;           // label where a loop over groups goes back to
     uint32_t exit;                 // label of the end of the function
     struct shader_edge *group_end; // where the code of a group ends

@@ -4,7 +4,7 @@
 #include "generator.h"
 
 // The number of a word whose place in bytes an instruction can hold.
-enum { MAX_KNOWN_WORD = 1 << 28 };
+enum { MAX_KNOWN_WORD = 1 << 28, MOST_WORDS = 4 };
 
 // Bindings -------------------------------------------------------------------------------------------
 
@@ -142,15 +142,13 @@ static void load_push_word(struct shader_generator *g, uint32_t value)
     shader_spread(g, value);
 }
 
-// Load the word that eax or `index` names from `words`, of which there are `count`.
-static void load_word(struct shader_generator *g, uint32_t value, struct x86_operand words,
+// Load a word into a register from `words`, of which there are `count`.
+static void load_word(struct shader_generator *g, uint32_t value, int result, struct x86_operand words,
                       struct x86_operand count)
 {
     const struct shader_node *const node = &g->form->nodes[value];
     uint32_t index = 0;
     const bool is_known = put_index(g, node->operands[1], node->immediate, &index) && index < MAX_KNOWN_WORD;
-    shader_end_operands(g);
-    const int result = shader_result(g, value);
     const uint32_t end = shader_label_new(&g->code);
     shader_put(g, X86_VXORPS, result, result, x86_reg(result));
     if (is_known) {
@@ -166,6 +164,61 @@ static void load_word(struct shader_generator *g, uint32_t value, struct x86_ope
     shader_put(g, X86_MOV | X86_WIDE, X86_RCX, 0, words);
     shader_put(g, X86_VBROADCASTSS, result, 0,
                is_known ? x86_at(X86_RCX, (int32_t)(4 * index)) : x86_at_index(X86_RCX, X86_RAX, 2, 0));
+    shader_label_place(&g->code, end);
+}
+
+// Return how many loads from a place on read words of one vector, whose first comes first.
+static uint32_t run_at(const struct shader_generator *g, uint32_t place)
+{
+    const struct shader_program *const form = g->form;
+    const struct shader_node *const first = &form->nodes[form->code[place]];
+    const bool is_hoisted = g->plan.is_hoisted[form->code[place]];
+    uint32_t count = 1;
+    for (; count < MOST_WORDS && place + count < form->code_count; count++) {
+        const uint32_t value = form->code[place + count];
+        const struct shader_node *const node = &form->nodes[value];
+        const uint32_t bytes = node->immediate - first->immediate;
+        if (node->op != SHADER_LOAD || node->operands[0] != first->operands[0] ||
+            node->operands[1] != first->operands[1] || bytes >= MOST_WORDS * 4 || bytes % 4 != 0 ||
+            g->plan.is_hoisted[value] != is_hoisted) {
+            break;
+        }
+    }
+    return count;
+}
+
+// Load words of one vector, which mostly are all there.
+static void load_words(struct shader_generator *g, struct x86_operand words, struct x86_operand count)
+{
+    const uint32_t *const values = &g->form->code[g->place];
+    const struct shader_node *const nodes = g->form->nodes, *const first = &nodes[values[0]];
+    const uint32_t run = run_at(g, g->place), end = shader_label_new(&g->code);
+    uint32_t more[MOST_WORDS], last = 0, index = 0;
+    int results[MOST_WORDS];
+    for (uint32_t i = 0; i < run; i++) {
+        more[i] = nodes[values[i]].immediate - first->immediate;
+        last = more[i] / 4 > last ? more[i] / 4 : last;
+        results[i] = shader_result(g, values[i]);
+    }
+    if (run > 1) {
+        const uint32_t apart = shader_label_new(&g->code);
+        if (put_index(g, first->operands[1], first->immediate, &index)) {
+            shader_encode_number(&g->code, X86_RAX, index);
+        }
+        shader_put(g, X86_LEA, X86_RCX, 0, x86_at(X86_RAX, (int32_t)last));
+        shader_put(g, X86_CMP, X86_RCX, 0, count);
+        shader_encode_jump_if(&g->code, X86_ABOVE_EQUAL, apart);
+        shader_put(g, X86_MOV | X86_WIDE, X86_RCX, 0, words);
+        for (uint32_t i = 0; i < run; i++) {
+            shader_put(g, X86_VBROADCASTSS, results[i], 0,
+                       x86_at_index(X86_RCX, X86_RAX, 2, (int32_t)more[i]));
+        }
+        shader_encode_jump(&g->code, end);
+        shader_label_place(&g->code, apart);
+    }
+    for (uint32_t i = 0; i < run; i++) {
+        load_word(g, values[i], results[i], words, count);
+    }
     shader_label_place(&g->code, end);
 }
 
@@ -331,10 +384,11 @@ static void load(struct shader_generator *g, uint32_t value)
         load_lanes(g, value, buffer);
     } else if (g->form->nodes[buffer].op == SHADER_PUSH) {
         load_push_word(g, value);
-    } else {
-        load_word(g, value, found_at(g, buffer, offsetof(struct shader_found, words)),
-                  found_at(g, buffer, offsetof(struct shader_found, count)));
-    }
+    } else if (g->values[value].reg < 0 && g->values[value].home == SHADER_HOMELESS) {
+        const struct x86_operand words = found_at(g, buffer, offsetof(struct shader_found, words)),
+                                 count = found_at(g, buffer, offsetof(struct shader_found, count));
+        load_words(g, words, count);
+    } // a word that has a place came with one before it
 }
 
 static void store_lanes(struct shader_generator *g, const struct shader_node *node)

@@ -454,9 +454,32 @@ static void hold(struct shader_generator *g, const uint32_t *holds, uint32_t pla
     }
 }
 
+// Load what all others that come to an edge have in a register, if it is read soon or the loop around begins with it.
+// Code that makes calls has lost much, where code beside it that is left out has lost nothing.
+static void restore(struct shader_generator *g, const struct shader_edge *edge, uint32_t place)
+{
+    shader_flush(g, place);
+    for (int r = 0; r < REGISTERS; r++) {
+        const uint32_t value = edge->is_used ? edge->holds[r] : SHADER_NONE;
+        if (value == SHADER_NONE || g->holds[r] == value || !lives_at(g, value, place)) {
+            continue;
+        }
+        struct shader_machine_value *const v = &g->values[value];
+        const bool is_looped = g->loop && g->loop->holds[r] == value;
+        if (v->home == SHADER_HOMELESS || !(is_looped || next_use(g, value, 0) < g->place + SOON)) {
+            continue;
+        }
+        vacate(g, r);
+        shader_put(g, X86_VMOVUPS, r, 0, v->reg >= 0 ? x86_reg(v->reg) : shader_home_of(g, value));
+        shader_assign(g, value, r);
+        v->is_stored = true;
+    }
+}
+
 void shader_edge_place(struct shader_generator *g, struct shader_edge *edge, uint32_t place, bool is_dead)
 {
     if (!is_dead) {
+        restore(g, edge, place);
         come_to(g, edge, place);
     }
     shader_label_place(&g->code, edge->label);

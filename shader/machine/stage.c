@@ -233,7 +233,7 @@ static void generate_entry(struct shader_generator *g, uint32_t body)
     store_pointer(g, X86_RAX, SHADER_FRAME(records));
     shader_encode_number(&g->code, X86_RAX, g->record_size);
     store_pointer(g, X86_RAX, SHADER_FRAME(record_size));
-    put_immediate(g, X86_MOV_I, SHADER_FRAME(rounds), 0);
+    put_immediate(g, X86_MOV_I, SHADER_FRAME(rounds), SHADER_ROUNDS_A_QUESTION);
     shader_encode_jump(&g->code, body);
 }
 

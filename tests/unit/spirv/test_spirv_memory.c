@@ -5,6 +5,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "edges_comp.h"
 #include "indexed_comp.h"
 #include "indexed_comp_small.h"
 #include "keep_comp.h"
@@ -344,6 +345,27 @@ static void test_what_workgroups_keep_is_bounded(void **state)
     rhw_shader_program_destroy(program);
 }
 
+// Words behind one another are read one by one where some lie outside, and an offset of 32 bits begins again at 0.
+static void test_words_at_the_edge_of_a_buffer(void **state)
+{
+    enum { WORDS = 7, LANES = 8 };
+    static const uint32_t last = UINT32_MAX / 12; // its first word lies at the end of all offsets
+    static const uint32_t elements[] = {0, 1, 2, 3, 100, last};
+    static const uint32_t from[WORDS] = {11, 12, 13, 14, 15, 16, 17};
+    (void)state;
+    for (size_t i = 0; i < sizeof elements / sizeof *elements; i++) {
+        uint32_t to[LANES][4];
+        const struct spirv_bytes memory[] = {{(void *)(uintptr_t)from, sizeof from, true},
+                                             {to, sizeof to, false}};
+        spirv_run(SPIRV_CREATE(edges_comp, RHW_SHADER_COMPUTE), memory, 2, &elements[i], sizeof *elements, 1);
+        for (int c = 0; c < 4; c++) {
+            const uint32_t word = c == 3 ? 5 : (elements[i] * 12 + 4 * (uint32_t)c) / 4;
+            assert_int_equal(to[0][c], word < WORDS ? from[word] : 0);
+            assert_int_equal(to[LANES - 1][c], to[0][c]);
+        }
+    }
+}
+
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_narrow_numbers_are_loaded_converted_and_stored),
     cmocka_unit_test(test_narrow_push_constants_end_within_a_word),
@@ -352,6 +374,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_sizes_of_workgroups_are_specialized_and_bounded),
     cmocka_unit_test(test_workgroups_keep_what_they_need),
     cmocka_unit_test(test_what_workgroups_keep_is_bounded),
+    cmocka_unit_test(test_words_at_the_edge_of_a_buffer),
 };
 
 const struct unit_tests test_spirv_memory = UNIT_TESTS(tests, NULL, NULL);
