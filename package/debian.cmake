@@ -88,7 +88,6 @@ if(TARGET rhw_vulkan)
   list(APPEND CPACK_COMPONENTS_ALL vulkan)
   set(CPACK_DEBIAN_VULKAN_PACKAGE_NAME librhw-vulkan)
   set(CPACK_DEBIAN_VULKAN_PACKAGE_SECTION libs)
-  set(CPACK_DEBIAN_VULKAN_PACKAGE_SHLIBDEPS ON)
   set(CPACK_DEBIAN_VULKAN_PACKAGE_RECOMMENDS libvulkan1)
   set(CPACK_DEBIAN_VULKAN_DESCRIPTION "rhw draws and computes for programs of Vulkan 1.1 and WebGPU without a graphics
 card, a display or another driver, the same bytes on every machine.

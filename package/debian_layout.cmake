@@ -1,18 +1,28 @@
 # SPDX-License-Identifier: MIT
 # cpack runs this on what is installed for the packages, a folder for each component, before it packs them.
 cmake_policy(VERSION 3.22)
-# What the shared libraries need, which cpack finds out of programs alone without scripts that call ldconfig. One of them
-# needs the other, which is in the package itself.
-file(GLOB_RECURSE library ${CPACK_TEMPORARY_DIRECTORY}/library/librhw*.so.*.*.*)
-list(GET library 0 folder)
-get_filename_component(folder ${folder} DIRECTORY)
-string(REGEX MATCH "library=([^;]*)" own "${CPACK_RHW_PACKAGES}")
-set(own ${CMAKE_MATCH_1})
-file(WRITE ${CPACK_TEMPORARY_DIRECTORY}/needs/debian/control "Source: rhw\n\nPackage: librhw\nArchitecture: any\n")
-execute_process(COMMAND dpkg-shlibdeps -O -l${folder} -L${CPACK_RHW_SHLIBS} -x${own} ${library} WORKING_DIRECTORY ${CPACK_TEMPORARY_DIRECTORY}/needs
-  OUTPUT_VARIABLE needs OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
-string(REPLACE "shlibs:Depends=" "" CPACK_DEBIAN_LIBRARY_PACKAGE_DEPENDS "${needs}")
-file(REMOVE_RECURSE ${CPACK_TEMPORARY_DIRECTORY}/needs)
+
+# What the libraries of a component need, which cpack finds out of programs alone without scripts that call ldconfig. It
+# writes those for what stands in lib or a folder of it. A library may need another of the package itself.
+macro(find_needs component pattern)
+  file(GLOB_RECURSE libraries ${CPACK_TEMPORARY_DIRECTORY}/${component}/${pattern})
+  list(GET libraries 0 folder)
+  get_filename_component(folder ${folder} DIRECTORY)
+  string(REGEX MATCH "${component}=([^;]*)" own "${CPACK_RHW_PACKAGES}")
+  set(own ${CMAKE_MATCH_1})
+  file(WRITE ${CPACK_TEMPORARY_DIRECTORY}/needs/debian/control "Source: rhw\n\nPackage: ${own}\nArchitecture: any\n")
+  execute_process(COMMAND dpkg-shlibdeps -O -l${folder} -L${CPACK_RHW_SHLIBS} -x${own} ${libraries}
+    WORKING_DIRECTORY ${CPACK_TEMPORARY_DIRECTORY}/needs
+    OUTPUT_VARIABLE needs OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
+  string(TOUPPER ${component} upper)
+  string(REPLACE "shlibs:Depends=" "" CPACK_DEBIAN_${upper}_PACKAGE_DEPENDS "${needs}")
+  file(REMOVE_RECURSE ${CPACK_TEMPORARY_DIRECTORY}/needs)
+endmacro()
+
+find_needs(library librhw*.so.*.*.*)
+if(IS_DIRECTORY ${CPACK_TEMPORARY_DIRECTORY}/vulkan)
+  find_needs(vulkan librhw_vulkan.so)
+endif()
 foreach(pair IN LISTS CPACK_RHW_PACKAGES)
   string(REGEX MATCH "^(.*)=(.*)$" pair "${pair}")
   set(component ${CMAKE_MATCH_1})
