@@ -1,33 +1,43 @@
 // SPDX-License-Identifier: MIT
 // The indices of an ASE, the text of 3ds Max. assimp 5.2.5 reads beside its arrays where a face refers to a vertex, a
-// texture coordinate or a colour that is not there.
+// texture coordinate or a colour that is not there, or to none where the mesh has some.
 #include "assimp.h"
 #include "import/builder/text_lines.h"
 
 #include <strings.h>
 
-// What faces refer to: how many there are, and the greatest index of a face.
+enum { VERTICES, COORDINATES, COLORS, LISTS };
+
+// What faces refer to: how many there are, the greatest index of a face, and how many faces are said to be and are.
 struct list {
     const char *name;
     double count, worst, face;
+    double said, faces;
     unsigned line;
 };
 
-enum { VERTICES, COORDINATES, COLORS, LISTS };
-
-// Refuse the file if a face refers to what is not there.
-static void check(struct scene_import *import, const struct list *list)
+// Refuse the file if a face refers to what is not there. `faces` are those of the mesh.
+static void check(struct scene_import *import, const struct list *list, double faces)
 {
+    const double given = list->said < list->faces ? list->said : list->faces;
     if (list->line > 0 && !(list->worst >= 0 && list->worst < list->count)) {
         scene_import_fail(import, "line %u: face %.0f refers to %s %.0f; the mesh has %.0f, counted from 0",
                           list->line, list->face, list->name, list->worst, list->count);
     }
+    if (list->count > 0 && given < faces) {
+        scene_import_fail(import, "a mesh has %.0f faces, of which %.0f say their %ss", faces, given,
+                          list->name);
+    }
 }
 
-static void begin(struct scene_import *import, struct list *list)
+// Look at what a mesh has, and begin with another one.
+static void end_mesh(struct scene_import *import, struct list lists[LISTS], int first, int last)
 {
-    check(import, list);
-    *list = (struct list){.name = list->name};
+    const double faces = lists[VERTICES].said;
+    for (int i = last; i >= first; i--) {
+        check(import, &lists[i], i == VERTICES ? 0 : faces);
+        lists[i] = (struct list){.name = lists[i].name};
+    }
 }
 
 static bool is_worse(const struct list *list, double index)
@@ -45,6 +55,7 @@ static void read_face(struct list *list, struct scene_line line, unsigned number
     if (!scene_text_word(&line, &word) || !scene_word_number(word, &face, &length)) {
         return;
     }
+    list->faces++;
     for (int corners = 0; corners < 3 && scene_text_word(&line, &word);) {
         const bool is_letter = *word.start >= 'A' && *word.start <= 'C';
         const struct scene_word digits =
@@ -64,17 +75,20 @@ static void read_face(struct list *list, struct scene_line line, unsigned number
 static void read_line(struct scene_import *import, struct list lists[LISTS], struct scene_word word,
                       struct scene_line line, unsigned number)
 {
-    static const char *const counts[LISTS] = {"*MESH_NUMVERTEX", "*MESH_NUMTVERTEX", "*MESH_NUMCVERTEX"},
-                             *const faces[LISTS] = {"*MESH_FACE", "*MESH_TFACE", "*MESH_CFACE"};
+    static const char *const counts[LISTS] = {"*MESH_NUMVERTEX", "*MESH_NUMTVERTEX", "*MESH_NUMCVERTEX"};
+    static const char *const said[LISTS] = {"*MESH_NUMFACES", "*MESH_NUMTVFACES", "*MESH_NUMCVFACES"};
+    static const char *const faces[LISTS] = {"*MESH_FACE", "*MESH_TFACE", "*MESH_CFACE"};
     const bool is_mesh = scene_word_is(word, "*MESH");
-    if (is_mesh || scene_word_is(word, "*MESH_MAPPINGCHANNEL")) {
-        for (int i = is_mesh ? VERTICES : COORDINATES; i <= (is_mesh ? COLORS : COORDINATES); i++) {
-            begin(import, &lists[i]);
-        }
+    if (is_mesh) {
+        end_mesh(import, lists, VERTICES, COLORS);
+    } else if (scene_word_is(word, "*MESH_MAPPINGCHANNEL")) {
+        end_mesh(import, lists, COORDINATES, COORDINATES);
     }
     for (int i = 0; i < LISTS; i++) {
         if (scene_word_is(word, counts[i])) {
             scene_text_double(&line, &lists[i].count);
+        } else if (scene_word_is(word, said[i])) {
+            scene_text_double(&line, &lists[i].said);
         } else if (scene_word_is(word, faces[i])) {
             read_face(&lists[i], line, number);
         }
@@ -95,7 +109,5 @@ void scene_assimp_look_at_ase(struct scene_import *import, char *bytes, size_t s
             read_line(import, lists, word, line, text.line);
         }
     }
-    for (int i = 0; i < LISTS; i++) {
-        check(import, &lists[i]);
-    }
+    end_mesh(import, lists, VERTICES, COLORS);
 }

@@ -523,6 +523,9 @@ static void test_ase(void **state)
          "line 13: face 7 refers to vertex -1; the mesh has 3, counted from 0"},
         {plain, "4 0 0 2", "0 0 0 0",
          "line 22: face 4 refers to texture coordinate 2; the mesh has 2, counted from 0"},
+        {plain, "0 0 0 0\n*MESH_NUMTVFACES 0", "0 0 0 0",
+         "a mesh has 1 faces, of which 0 say their texture coordinates"},
+        {plain, "0 0 0 0", "0 0 0 0\n*MESH_NUMCVFACES 0", "a mesh has 1 faces, of which 0 say their colours"},
         {plain, "0 0 0 0", "0 1 0 0", "line 30: face 0 refers to colour 1; the mesh has 1, counted from 0"},
     };
     for (size_t i = 0; i < 2 * sizeof cases / sizeof cases[0]; i++) {
