@@ -96,6 +96,8 @@ static const struct {
     {"AC10", "DWG (CAD)"},
     {"VOX ", "MagicaVoxel"},
     {"3DMO", "Model 3D (M3D)"},
+    {"UMDL", "a model of Urho3D"},
+    {"UMD2", "a model of Urho3D"},
     {"3dmodel ", "Model 3D (M3D)"},
     {"MeshVersionFormatted", "a mesh of Medit"},
     {"$MeshFormat", "a mesh of Gmsh"},

@@ -456,16 +456,18 @@ static void add_meshes(struct ply *ply)
 // of anything.
 static void refuse_gaussians(const struct ply *ply)
 {
-    static const char *const names[] = {"f_dc_0", "opacity", "scale_0", "rot_0"};
+    static const char *const names[] = {"f_dc_0",          "opacity",         "scale_0",      "rot_0",
+                                        "packed_position", "packed_rotation", "packed_scale", "packed_color"};
+    enum { PLAIN = 0x0f, PACKED = 0xf0 };
     unsigned found = 0;
     for (int i = 0; i < ply->element_count; i++) {
         for (int k = 0; k < ply->elements[i].property_count; k++) {
-            for (int n = 0; n < 4; n++) {
+            for (int n = 0; n < 8; n++) {
                 found |= scene_word_is(ply->elements[i].properties[k].name, names[n]) ? 1u << n : 0;
             }
         }
     }
-    if (found == 15) {
+    if ((found & PLAIN) == PLAIN || (found & PACKED) == PACKED) {
         scene_import_fail(ply->import, "holds Gaussian splats, which are not supported");
     }
 }

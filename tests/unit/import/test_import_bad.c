@@ -30,6 +30,10 @@ static const struct {
      "rot_0\nend_header\n"
      "0 0 0 1 1 1 1\n",
      "holds Gaussian splats, which are not supported"},
+    {"packed.ply",
+     "ply\nformat ascii 1.0\nelement vertex 1\nproperty uint packed_position\nproperty uint packed_rotation\n"
+     "property uint packed_scale\nproperty uint packed_color\nend_header\n1 1 1 1\n",
+     "holds Gaussian splats, which are not supported"},
     {"voxels.gltf", "{\"asset\":{\"version\":\"2.0\"},\"extensionsRequired\":[\"EXT_primitive_voxels\"]}",
      "requires the glTF extension EXT_primitive_voxels"},
     {"cycle.gltf", "{\"asset\":{\"version\":\"2.0\"},\"nodes\":[{\"children\":[1]},{\"children\":[0]}]}",
@@ -134,6 +138,7 @@ static const struct {
     {"five.blend", "BLENDER17-01v0502REND", "is a Blender file of version 5.2, which"},
     {"old.blend", "BLENDER-v279REND", "cannot be read: "},
     {"README", "facet solid outer\n", "is not a model in a format that can be read"},
+    {"box.mdl", "UMDL\1", "is a model of Urho3D, which"},
     {"bird.m3d", "3DMO", "is Model 3D (M3D), which"},
     {"bird", "3dmodel 1\n", "is Model 3D (M3D), which"},
     {"mesh.vtp", "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\">", "is VTK, which"},
