@@ -37,14 +37,14 @@ static void begin_viewing(struct viewing *v, const uint32_t *fragment, size_t si
 }
 
 // Create an image whose views may have other formats.
-static VkImage create_image(struct rig *rig, VkFormat format, VkImageCreateFlags flags, uint32_t side,
+static VkImage create_image(struct rig *rig, VkFormat format, VkImageCreateFlags flags, VkExtent3D extent,
                             uint32_t levels, uint32_t layers)
 {
     const VkImageCreateInfo info = {.sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO,
                                     .flags = VK_IMAGE_CREATE_MUTABLE_FORMAT_BIT | flags,
                                     .imageType = VK_IMAGE_TYPE_2D,
                                     .format = format,
-                                    .extent = {side, side, 1},
+                                    .extent = extent,
                                     .mipLevels = levels,
                                     .arrayLayers = layers,
                                     .samples = VK_SAMPLE_COUNT_1_BIT,
@@ -57,7 +57,7 @@ static VkImage create_image(struct rig *rig, VkFormat format, VkImageCreateFlags
 // Return an image of one level in memory of its own.
 static VkImage make_image(struct rig *rig, VkFormat format)
 {
-    VkImage image = create_image(rig, format, 0, SIDE, 1, 1);
+    VkImage image = create_image(rig, format, 0, (VkExtent3D){SIDE, SIDE, 1}, 1, 1);
     rig_back(rig, image);
     return image;
 }
@@ -114,12 +114,12 @@ static void change_layout(struct viewing *v, VkImage image, VkImageLayout from, 
 }
 
 // Write texels or blocks of one part of an image that is in TRANSFER_DST_OPTIMAL.
-static void write_part(struct viewing *v, VkImage image, uint32_t level, uint32_t layer, uint32_t side,
+static void write_part(struct viewing *v, VkImage image, uint32_t level, uint32_t layer, VkExtent3D extent,
                        const void *bytes, size_t size)
 {
     const struct rig_buffer buffer = rig_buffer(&v->rig, size, bytes);
     const VkBufferImageCopy copy = {.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, level, layer, 1},
-                                    .imageExtent = {side, side, 1}};
+                                    .imageExtent = extent};
     vkCmdCopyBufferToImage(v->rig.commands, buffer.buffer, image, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1,
                            &copy);
 }
@@ -144,7 +144,7 @@ static uint32_t draw_view(struct viewing *v, VkImage image, const void *bytes, s
 {
     const VkImageLayout written = VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL;
     change_layout(v, image, VK_IMAGE_LAYOUT_UNDEFINED, written);
-    write_part(v, image, 0, 0, SIDE, bytes, size);
+    write_part(v, image, 0, 0, (VkExtent3D){SIDE, SIDE, 1}, bytes, size);
     change_layout(v, image, written, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
     return draw(v);
 }
@@ -175,7 +175,8 @@ static void each_level_and_layer_has_either_sign(void **state)
     const VkImageLayout written = VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL;
     struct viewing v;
     begin_viewing(&v, viewed_frag, sizeof viewed_frag);
-    VkImage image = create_image(&v.rig, VK_FORMAT_BC4_UNORM_BLOCK, 0, WHOLE, LEVELS, LAYERS);
+    VkImage image =
+        create_image(&v.rig, VK_FORMAT_BC4_UNORM_BLOCK, 0, (VkExtent3D){WHOLE, WHOLE, 1}, LEVELS, LAYERS);
     rig_back(&v.rig, image);
     change_layout(&v, image, VK_IMAGE_LAYOUT_UNDEFINED, written);
     for (uint32_t i = 0; i < LEVELS * LAYERS; i++) {
@@ -184,7 +185,8 @@ static void each_level_and_layer_has_either_sign(void **state)
         for (int b = 0; b < BLOCKS; b++) {
             blocks[b][0] = blocks[b][1] = (uint8_t)(4 + 8 * level + 16 * layer);
         }
-        write_part(&v, image, level, layer, WHOLE >> level, blocks, sizeof blocks >> 2 * level);
+        write_part(&v, image, level, layer, (VkExtent3D){WHOLE >> level, WHOLE >> level, 1}, blocks,
+                   sizeof blocks >> 2 * level);
     }
     change_layout(&v, image, written, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
     for (uint32_t i = 0; i < 2 * LEVELS * LAYERS; i++) {
@@ -198,38 +200,73 @@ static void each_level_and_layer_has_either_sign(void **state)
     rig_close(&v.rig);
 }
 
-// Two images share all of their memory, and one of them is viewed with the other sign. What is written by the other one is
-// seen.
+// Create two images that share all of their memory.
+static void create_aliases(struct rig *rig, const VkExtent3D extents[2], VkImage images[2])
+{
+    VkMemoryRequirements needs[2];
+    VkDeviceMemory memory;
+    for (int i = 0; i < 2; i++) {
+        images[i] = create_image(rig, VK_FORMAT_BC4_UNORM_BLOCK, VK_IMAGE_CREATE_ALIAS_BIT, extents[i], 1, 1);
+        RIG_KEEP(rig, IMAGE, images[i]);
+        vkGetImageMemoryRequirements(rig->device, images[i], &needs[i]);
+    }
+    assert_int_equal(needs[0].size, needs[1].size);
+    const VkMemoryAllocateInfo info = {.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO,
+                                       .allocationSize = needs[0].size,
+                                       .memoryTypeIndex = (uint32_t)__builtin_ctz(needs[0].memoryTypeBits)};
+    CHECK(vkAllocateMemory(rig->device, &info, NULL, &memory));
+    RIG_KEEP(rig, DEVICE_MEMORY, memory);
+    for (int i = 0; i < 2; i++) {
+        CHECK(vkBindImageMemory(rig->device, images[i], memory, 0));
+    }
+}
+
+// One of two aliases is viewed with the other sign. What is written by the other one is seen.
 static void aliases_have_either_sign(void **state)
 {
     (void)state;
     static const uint8_t blocks[2][8] = {{64, 64}, {32, 32}};
     static const uint32_t reds[2] = {129, 64}; // of 64 / 127 and 32 / 127
+    static const VkExtent3D extents[2] = {{SIDE, SIDE, 1}, {SIDE, SIDE, 1}};
     struct viewing v;
-    begin_viewing(&v, viewed_frag, sizeof viewed_frag);
     VkImage images[2];
-    VkMemoryRequirements needs;
-    VkDeviceMemory memory;
-    for (int i = 0; i < 2; i++) {
-        images[i] = create_image(&v.rig, VK_FORMAT_BC4_UNORM_BLOCK, VK_IMAGE_CREATE_ALIAS_BIT, SIDE, 1, 1);
-        RIG_KEEP(&v.rig, IMAGE, images[i]);
-    }
-    vkGetImageMemoryRequirements(v.rig.device, images[0], &needs);
-    const VkMemoryAllocateInfo info = {.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO,
-                                       .allocationSize = needs.size,
-                                       .memoryTypeIndex = (uint32_t)__builtin_ctz(needs.memoryTypeBits)};
-    CHECK(vkAllocateMemory(v.rig.device, &info, NULL, &memory));
-    RIG_KEEP(&v.rig, DEVICE_MEMORY, memory);
-    for (int i = 0; i < 2; i++) {
-        CHECK(vkBindImageMemory(v.rig.device, images[i], memory, 0));
-    }
+    begin_viewing(&v, viewed_frag, sizeof viewed_frag);
+    create_aliases(&v.rig, extents, images);
     bind_view(&v, images[0], VK_FORMAT_BC4_SNORM_BLOCK, 1);
     assert_int_equal(draw_view(&v, images[0], blocks[0], sizeof blocks[0]), reds[0] << 24 | 0xff);
     const VkImageLayout written = VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL;
     change_layout(&v, images[1], VK_IMAGE_LAYOUT_UNDEFINED, written);
-    write_part(&v, images[1], 0, 0, SIDE, blocks[1], sizeof blocks[1]);
+    write_part(&v, images[1], 0, 0, extents[1], blocks[1], sizeof blocks[1]);
     change_layout(&v, images[1], written, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
     assert_int_equal(draw(&v), reds[1] << 24 | 0xff);
+    rig_close(&v.rig);
+}
+
+// Images of different shapes take turns in the same memory, each viewed with the other sign. What is written by one is
+// nothing to the other.
+static void shapes_that_share_memory_have_either_sign(void **state)
+{
+    (void)state;
+    enum { LESS = 64, MORE = 128, BLOCKS = LESS * MORE / 16 };
+    static const uint32_t reds[2] = {129, 64}; // of 64 / 127 and 32 / 127
+    static const VkExtent3D extents[2] = {{MORE, LESS, 1}, {LESS, MORE, 1}};
+    const VkImageLayout written = VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL;
+    struct viewing v;
+    VkImage images[2];
+    begin_viewing(&v, viewed_frag, sizeof viewed_frag);
+    create_aliases(&v.rig, extents, images);
+    for (int turn = 0; turn < 4; turn++) {
+        const int i = turn % 2, value = turn / 2;
+        uint8_t blocks[BLOCKS][8] = {{0}};
+        for (int b = 0; b < BLOCKS; b++) {
+            blocks[b][0] = blocks[b][1] = value == 0 ? 64 : 32;
+        }
+        bind_view(&v, images[i], VK_FORMAT_BC4_SNORM_BLOCK, 1);
+        change_layout(&v, images[i], VK_IMAGE_LAYOUT_UNDEFINED, written);
+        write_part(&v, images[i], 0, 0, extents[i], blocks, sizeof blocks);
+        change_layout(&v, images[i], written, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
+        assert_int_equal(draw(&v), reds[value] << 24 | 0xff);
+    }
     rig_close(&v.rig);
 }
 
@@ -294,6 +331,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(blocks_are_read_with_either_sign),
     cmocka_unit_test(each_level_and_layer_has_either_sign),
     cmocka_unit_test(aliases_have_either_sign),
+    cmocka_unit_test(shapes_that_share_memory_have_either_sign),
     cmocka_unit_test(borders_lack_what_blocks_lack),
     cmocka_unit_test(a_view_that_cannot_be_is_empty),
     cmocka_unit_test(nearest_integers_have_no_anisotropy),

@@ -33,7 +33,8 @@ static enum rhw_result decode(VkQueue queue, VkImage image, rhw_texture texture,
 // Return true if two images have their blocks in the same bytes. They are one image, or aliases, which are made alike.
 static bool share_blocks(const struct VkImage_T *a, const struct VkImage_T *b)
 {
-    return a->bytes == b->bytes && a->size == b->size && a->levels == b->levels && a->layers == b->layers;
+    return a->bytes == b->bytes && a->format == b->format && a->extent.width == b->extent.width &&
+           a->extent.height == b->extent.height && a->levels == b->levels && a->layers == b->layers;
 }
 
 enum rhw_result vulkan_image_decode(VkQueue queue, VkImage image, const struct rhw_texture_region *region)
