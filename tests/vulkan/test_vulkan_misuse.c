@@ -18,6 +18,7 @@ struct misuse {
     VkAttachmentDescription2 attachments[3];
     VkAttachmentReference2 references[3];
     uint32_t count;
+    bool clears; // instead of drawing
 };
 
 static void begin_misuse(struct misuse *m)
@@ -61,6 +62,15 @@ static VkRenderPass create_pass(struct misuse *m, uint32_t colors)
                                                    colors < m->count ? &m->references[colors] : NULL});
 }
 
+// Clear the first attachment to green, in more layers than it has.
+static void clear_all(const struct misuse *m, uint32_t side)
+{
+    const VkClearAttachment green_color = {.aspectMask = VK_IMAGE_ASPECT_COLOR_BIT,
+                                           .clearValue = {.color = {.float32 = {0, 1, 0, 1}}}};
+    const VkClearRect rectangle = {.rect = {.extent = {2 * side, side}}, .layerCount = 2};
+    vkCmdClearAttachments(m->rig.commands, 1, &green_color, 1, &rectangle);
+}
+
 // Draw a green quad at a depth of 0.5 into a pass that cleared colours to 0 and depth to 1, and run. The buffers have
 // what the attachments became.
 static void draw(struct misuse *m, VkRenderPass pass, VkPipeline pipeline, uint32_t side,
@@ -87,7 +97,11 @@ static void draw(struct misuse *m, VkRenderPass pass, VkPipeline pipeline, uint3
     vkCmdSetScissor(rig->commands, 0, 1, &all);
     vkCmdBindPipeline(rig->commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline);
     vkCmdPushConstants(rig->commands, m->state.layout, VK_SHADER_STAGE_ALL, 0, sizeof push, push);
-    vkCmdDraw(rig->commands, 6, 1, 0, 0);
+    if (m->clears) {
+        clear_all(m, side);
+    } else {
+        vkCmdDraw(rig->commands, 6, 1, 0, 0);
+    }
     vkCmdEndRenderPass(rig->commands);
     for (uint32_t i = 0; i < m->count; i++) {
         read[i] = rig_read(rig, &m->images[i], 4);
@@ -114,14 +128,17 @@ static void a_pass_is_as_large_as_its_attachments(void **state)
     if (is_validated()) {
         skip();
     }
-    struct misuse m;
-    struct rig_buffer read[3];
-    begin_misuse(&m);
-    add_color(&m);
-    const VkRenderPass pass = create_pass(&m, 1);
-    draw(&m, pass, picture_pipeline(&m.picture, &m.state, pass, 0), 3 * PASS_SIDE, read);
-    expect_colors(&read[0], green);
-    rig_close(&m.rig);
+    for (int clears = 0; clears < 2; clears++) {
+        struct misuse m;
+        struct rig_buffer read[3];
+        begin_misuse(&m);
+        m.clears = clears;
+        add_color(&m);
+        const VkRenderPass pass = create_pass(&m, 1);
+        draw(&m, pass, picture_pipeline(&m.picture, &m.state, pass, 0), 3 * PASS_SIDE, read);
+        expect_colors(&read[0], green);
+        rig_close(&m.rig);
+    }
 }
 
 static void an_image_is_attached_once(void **state)

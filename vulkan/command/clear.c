@@ -90,15 +90,15 @@ struct attachment_clear {
     VkClearRect rect;
 };
 
-// Return the part of a rectangle that lies in the render area.
-static struct rhw_rect within(const VkRect2D *rect, const VkRect2D *area)
+// Return the part of a rectangle that lies in the area that is drawn.
+static struct rhw_rect within(const VkRect2D *rect, const struct rhw_rect *area)
 {
-    const int left = rect->offset.x > area->offset.x ? rect->offset.x : area->offset.x;
-    const int top = rect->offset.y > area->offset.y ? rect->offset.y : area->offset.y;
+    const int left = rect->offset.x > area->x ? rect->offset.x : area->x;
+    const int top = rect->offset.y > area->y ? rect->offset.y : area->y;
     const int64_t rect_right = (int64_t)rect->offset.x + rect->extent.width;
     const int64_t rect_bottom = (int64_t)rect->offset.y + rect->extent.height;
-    const int64_t area_right = (int64_t)area->offset.x + area->extent.width;
-    const int64_t area_bottom = (int64_t)area->offset.y + area->extent.height;
+    const int64_t area_right = (int64_t)area->x + area->width;
+    const int64_t area_bottom = (int64_t)area->y + area->height;
     const int64_t right = rect_right < area_right ? rect_right : area_right;
     const int64_t bottom = rect_bottom < area_bottom ? rect_bottom : area_bottom;
     return (struct rhw_rect){left, top, right > left ? (int)(right - left) : 0,
@@ -137,11 +137,12 @@ static void replay_attachment(struct vulkan_replay *replay, const struct vulkan_
     if (!pass->render_pass || !set_clear(pass, &one->attachment, &clear) || !vulkan_pass_open(replay, 0)) {
         return;
     }
-    const struct rhw_rect rect = within(&one->rect.rect, &pass->area);
+    const struct rhw_rect rect = within(&one->rect.rect, &pass->drawn);
+    const int64_t layers = pass->drawn_layers - (int64_t)one->rect.baseArrayLayer;
     clear.rects = &rect;
     clear.rect_count = 1;
     clear.layer = (int)one->rect.baseArrayLayer;
-    clear.layer_count = (int)one->rect.layerCount;
+    clear.layer_count = (int)(one->rect.layerCount < layers ? one->rect.layerCount : layers);
     if (rect.width > 0 && rect.height > 0 && clear.layer_count > 0) {
         rhw_pass_clear_attachments(replay->context, pass->pass, &clear);
     }

@@ -219,6 +219,8 @@ bool vulkan_pass_open(struct vulkan_replay *replay, uint32_t samples)
         vulkan_replay_check(replay, rhw_pass_begin(replay->context, &def, &pass->pass), "render pass");
     if (pass->is_open) {
         pass->targets = targets_of(pass, &def);
+        pass->drawn = def.render_area;
+        pass->drawn_layers = def.depth.layer_count;
         note_all_loaded(pass);
         pass->has_drawn = true;
         replay->bound.is_told = false;

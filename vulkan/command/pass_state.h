@@ -32,6 +32,8 @@ struct vulkan_pass_state {
     bool is_open;                     ///< `pass` is a pass of librhw
     rhw_pass pass;
     struct vulkan_targets targets; ///< what it draws into
+    struct rhw_rect drawn;         ///< the part of `area` that its attachments have
+    int drawn_layers;              ///< how many layers they have
 };
 
 // Open the pass of librhw for a draw whose pipeline has `samples` samples, if it is not open. Return false if that
