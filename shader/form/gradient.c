@@ -7,6 +7,7 @@
 
 enum {
     WORTH_A_JUMP = 12, // operations that are left out
+    MOST_PAIRS = 64, // gradients of further ones are computed unasked, so that time grows with the code alone
     NOBODY = 0
 };
 
@@ -18,16 +19,16 @@ struct pair {
 
 struct gradients {
     struct shader_program *program;
-    struct pair *pairs;
+    struct pair pairs[MOST_PAIRS];
     uint32_t pair_count;
-    size_t pair_room;
     uint32_t *owner; // by value: the pair whose gradients alone need it, counted from 1, or NOBODY
     uint32_t *code;
     uint32_t count;
     size_t room;
     uint32_t *waiting; // values with an owner that are not placed yet
     uint32_t waiting_count;
-    uint32_t *named; // BUFFERs of structure that is open, in the order in which they came
+    uint32_t
+        named[2 * MOST_PAIRS]; // BUFFERs of pairs in structure that is open, in the order in which they came
     uint32_t named_count;
     uint32_t marks[SHADER_MAX_DEPTH + 1]; // their number where each open structure began
     uint32_t depth;
@@ -69,12 +70,9 @@ static uint32_t pair_of(struct gradients *gradients, uint32_t value)
             return p + 1;
         }
     }
-    if (!is_one_binding(program, texture) || !is_one_binding(program, sampler)) {
+    if (gradients->pair_count == MOST_PAIRS || !is_one_binding(program, texture) ||
+        !is_one_binding(program, sampler)) {
         return NOBODY;
-    }
-    if (gradients->pair_count == gradients->pair_room) {
-        gradients->pairs =
-            shader_grow(program->memory, gradients->pairs, &gradients->pair_room, sizeof *gradients->pairs);
     }
     gradients->pairs[gradients->pair_count++] = (struct pair){.texture = texture, .sampler = sampler};
     return gradients->pair_count;
@@ -177,11 +175,15 @@ static void place_waiting(struct gradients *gradients, uint32_t pair)
 // Ask as soon as both resources are named.
 static void name_buffer(struct gradients *gradients, uint32_t buffer)
 {
-    gradients->named[gradients->named_count++] = buffer;
     for (uint32_t p = 0; p < gradients->pair_count; p++) {
         struct pair *const pair = &gradients->pairs[p];
-        if ((pair->texture == buffer || pair->sampler == buffer) &&
-            is_among(gradients->named, gradients->named_count, pair->texture) &&
+        if (pair->texture != buffer && pair->sampler != buffer) {
+            continue;
+        }
+        if (!is_among(gradients->named, gradients->named_count, buffer)) {
+            gradients->named[gradients->named_count++] = buffer;
+        }
+        if (is_among(gradients->named, gradients->named_count, pair->texture) &&
             is_among(gradients->named, gradients->named_count, pair->sampler)) {
             pair->is_needed = shader_add_node(gradients->program, SHADER_NEEDS_GRADIENT, 0, pair->texture,
                                               pair->sampler, 0);
@@ -216,8 +218,7 @@ void shader_ask_for_gradients(struct shader_program *program)
     const uint32_t nodes = program->node_count, *const old = program->code, old_count = program->code_count;
     struct gradients gradients = {.program = program,
                                   .owner = shader_take(memory, nodes, sizeof(uint32_t)),
-                                  .waiting = shader_take(memory, old_count + 1, sizeof(uint32_t)),
-                                  .named = shader_take(memory, old_count + 1, sizeof(uint32_t))};
+                                  .waiting = shader_take(memory, old_count + 1, sizeof(uint32_t))};
     find_owners(&gradients);
     if (gradients.pair_count == 0) {
         return;

@@ -10,6 +10,7 @@
 #include "derivative_frag.h"
 #include "derivative_vert.h"
 #include "harness.h"
+#include "pairs_frag.h"
 
 enum { WIDTH = 99, HEIGHT = 133 };
 enum { VARYING, LINEAR, NEAREST, SQUARE, WIDTHS, FINE, NESTED, BRANCHES, LEVELS };
@@ -253,7 +254,7 @@ static void test_levels_follow_from_derivatives(void **state)
     close_bench(&bench);
 }
 
-static char printed[1 << 14];
+static char printed[1 << 17];
 
 static void keep(void *user, const char *text, size_t size)
 {
@@ -288,6 +289,23 @@ static void test_gradients_are_asked_for(void **state)
     assert_int_equal(partners, 6);
 }
 
+// A shader with many textures and samplers asks for some of their pairs, and computes the other gradients.
+static void test_pairs_are_bounded(void **state)
+{
+    (void)state;
+    const struct rhw_shader_def def = {.stage = RHW_SHADER_FRAGMENT};
+    size_t length = 0;
+    assert_int_equal(
+        rhw_shader_print(pairs_frag, sizeof pairs_frag, &def, RHW_SHADER_PASSED, keep, &length, NULL),
+        RHW_OK);
+    int pairs = 0;
+    for (const char *place = strstr(printed, "= needs_gradient "); place;
+         place = strstr(place + 1, "= needs_gradient ")) {
+        pairs++;
+    }
+    assert_int_equal(pairs, 64);
+}
+
 // A sampler of one level gives the same without a gradient.
 static void test_one_level_needs_no_gradient(void **state)
 {
@@ -316,6 +334,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_nested_and_in_branches),
     cmocka_unit_test(test_levels_follow_from_derivatives),
     cmocka_unit_test(test_gradients_are_asked_for),
+    cmocka_unit_test(test_pairs_are_bounded),
     cmocka_unit_test(test_one_level_needs_no_gradient),
 };
 
