@@ -114,8 +114,8 @@ char *scene_assimp_insert_blocks(struct scene_import *import, char *bytes, size_
 /// Fail the import by its version if it is a Blender file that is too new for assimp. With `is_tried` fail it also for
 /// the versions of which assimp reads some files.
 void scene_assimp_refuse_blender(struct scene_import *import, bool is_tried);
-/// Return why assimp may not read the file: its schema, if it is one of IFC that assimp does not know. Return "" for
-/// other files.
+/// Return why assimp may not read the file: its schema or version, if it is one of IFC or Collada that assimp does not
+/// know. Return "" for other files.
 const char *scene_assimp_schema(struct scene_import *import);
 
 #endif

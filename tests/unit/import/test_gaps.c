@@ -645,6 +645,8 @@ static void test_schema(void **state)
     expect_refused("x.ifc", "; assimp knows IFC2X3, and this is IFC4X3");
     write_format("x.ifc", text, "IFC2X3");
     expect_refused("x.ifc", "missing IfcProject entity");
+    write_text("x.dae", "<?xml version=\"1.0\"?><COLLADA xmlns=\"a\" version=\"1.3.1\"></COLLADA>");
+    expect_refused("x.dae", "; assimp knows Collada 1.4 and 1.5, and this is 1.3.1");
 }
 
 // Numbers of the log, of which one may be hexadecimal, do not make several lines of one.
