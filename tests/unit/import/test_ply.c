@@ -265,15 +265,19 @@ static void test_faces_beside_strips(void **state)
                  : is_bare ? ""
                            : " 255 0 0");
         struct scene_model *model = load_text("mixed.ply", text);
-        float found[2] = {0, 0};
+        float found[2] = {0, 0}, reds[2] = {0, 0};
         for (uint32_t m = 0; m < model->mesh_count; m++) {
             const struct scene_mesh *const mesh = &model->meshes[m];
             for (uint32_t k = 0; k < mesh->index_count; k += 3) {
                 const bool is_first = mesh->positions[mesh->indices[k + 1]][1] < 0.5f;
                 found[is_first ? 0 : 1] = mesh->colors[mesh->indices[k]][3];
+                reds[is_first ? 0 : 1] = mesh->colors[mesh->indices[k]][0];
             }
         }
         assert_floats(found, (const float[]){is_face ? 1 : 0.2f, is_face ? 0.2f : 1}, 2, 1e-6f);
+        const float grey = 0.4019778f; // 170 of 255 in sRGB, as light
+        const float expected[] = {is_bare && is_face ? grey : 1, is_bare && !is_face ? grey : 1};
+        assert_floats(reds, expected, 2, 1e-6f);
         scene_model_free(model);
     }
 }
