@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# The subject of a commit has at most 72 characters, more than one word and no period at its end. Commits up to the one named below are older
-# than this check and stay as they are; merges have the subjects that git gives them.
+# The subject of a commit has at most 72 characters, more than one word and no period at its end. Commits up to the one
+# named below are older than this check and stay as they are; merges have the subjects that git gives them.
 # usage: commit_subjects.sh PROJECT_FOLDER
 # The exit status is 77 where there is no history to look at.
 set -eu
