@@ -87,9 +87,31 @@ static void test_functions_of_two_operands(void **state)
     mpfr_clears(a, b, want, NULL);
 }
 
+// What is computed together has the bits of each alone, numbers among them that are reduced lane by lane.
+static void test_sine_and_cosine_together(void **state)
+{
+    (void)state;
+    static float operands[COUNT][4];
+    static uint32_t sines[COUNT][4], cosines[COUNT][4], both[COUNT][4];
+    uint64_t random = 3;
+    for (int i = 0; i < COUNT; i++) {
+        operands[i][0] = rig_random_float(&random, -1, 1) * (i % 3 == 0 ? 1e6f : 10.0f);
+    }
+    function_rig_run(0, (const float(*)[4])operands, COUNT, false, sines);
+    function_rig_run(1, (const float(*)[4])operands, COUNT, false, cosines);
+    for (int first = 0; first < 2; first++) {
+        function_rig_run(48 + first, (const float(*)[4])operands, COUNT, false, both);
+        for (int i = 0; i < COUNT; i++) {
+            assert_int_equal(both[i][first], sines[i][0]);
+            assert_int_equal(both[i][1 - first], cosines[i][0]);
+        }
+    }
+}
+
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_functions_of_one_operand),
     cmocka_unit_test(test_functions_of_two_operands),
+    cmocka_unit_test(test_sine_and_cosine_together),
 };
 
 const struct unit_tests test_spirv_math = UNIT_TESTS(tests, NULL, NULL);

@@ -76,6 +76,8 @@ uvec4 plain(float x, float y, float z)
     case 42: return bits(numberMin(x, y));
     case 43: return bits(numberMax(x, y));
     case 44: return bits(numberClamp(x, y, z));
+    case 48: return bits(vec2(sin(x), cos(x)));
+    case 49: return bits(vec2(cos(x), sin(x)));
     case 45: return uvec4(x < y, x <= y, x > y, x >= y);
     default: return uvec4(int(x), uint(x), floatBitsToUint(float(floatBitsToInt(x))), floatBitsToUint(float(floatBitsToUint(x))));
     }
