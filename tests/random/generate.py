@@ -21,7 +21,11 @@ layout(set = 0, binding = 2) buffer Own { uint own[]; };
 layout(set = 0, binding = 3) buffer Counters { uint counters[]; };
 layout(set = 0, binding = 4) uniform sampler2D picture;
 layout(set = 0, binding = 5, rgba32f) uniform image2D canvas;
+layout(set = 0, binding = 6) uniform sampler2D levels;
+layout(set = 0, binding = 7) uniform sampler2DShadow shadow;
 layout(push_constant) uniform Push { int count; float scale; } push;
+#define PART(x, y) textureLodOffset(shadow, at, 0.0, ivec2(x, y))
+float window(vec3 at) { return PART(-1, 0) + 2.0 * PART(0, 0) + 4.0 * PART(1, 1) + 8.0 * PART(0, 1); }
 float clean(float x) { return isnan(x) ? 7.0 : x; }
 '''
 COMPUTE = '''layout(local_size_x = %d) in;
@@ -43,6 +47,7 @@ class Program:
     def __init__(self, seed, number):
         self.random = random.Random(f'{seed} {number}')
         self.is_compute = self.random.random() < 0.6
+        self.is_pure = not self.is_compute and self.random.random() < 0.5  # it leaves a colour alone
         self.size = self.random.choice((1, 8, 20, 32, 64, 136))
         self.has_barriers = self.is_compute and self.random.random() < 0.4
         self.is_ordered = self.is_compute and self.random.random() < 0.2
@@ -104,8 +109,9 @@ class Program:
                  'step({0}, {1})', 'smoothstep(-1.0, 2.0, {0})', 'inversesqrt(abs({0}) + 1.0)', 'roundEven({0})',
                  'dot(vec3({0}, {1}, {2}), numbers[1].xyz)', 'length(vec2({0}, {1}))', 'pow(abs({0}), 1.5)', 'atan({0}, {1})']
         if not self.in_function and not self.is_compute:
-            forms += ['dFdx({0})', 'dFdy({0})', 'texture(picture, vec2({0}, {1})).y']
-        forms += ['textureLod(picture, vec2({0}, {1}), 0.0).x']
+            forms += ['dFdx({0})', 'dFdy({0})', 'texture(picture, vec2({0}, {1})).y', 'texture(levels, vec2({0}, {1})).z',
+                      'texture(shadow, vec3({0}, {1}, {2}))']
+        forms += ['textureLod(picture, vec2({0}, {1}), 0.0).x', 'window(vec3({0}, {1}, {2}))']
         choice = r.randrange(len(forms) + 4)
         if choice < len(forms):
             return forms[choice].format(e(), e(), e())
@@ -178,8 +184,9 @@ class Program:
         self.is_uniform = before
 
     def statement(self):
-        weights = {'declare': 4, 'assign': 5, 'branch': 3, 'loop': 2, 'choose': 1, 'keep': 2, 'array': 1, 'leave': 1.5,
-                   'count': 1, 'call': 1, 'draw': 0.5, 'share': 3 if self.has_barriers else 0}
+        weights = {'declare': 4, 'assign': 5, 'branch': 3, 'loop': 2, 'choose': 1, 'keep': 0 if self.is_pure else 2,
+                   'array': 1, 'leave': 1.5, 'count': 0 if self.is_pure else 1, 'call': 1, 'draw': 0.5,
+                   'share': 3 if self.has_barriers else 0}
         if self.depth > 4:
             weights.update(branch=0, loop=0, choose=0)
         kind = self.random.choices(list(weights), list(weights.values()))[0]
@@ -342,12 +349,14 @@ class Program:
         self.depth = 0
         self.block(self.random.randrange(6, 16), True)
         self.depth = 1
-        for word, kind in enumerate(('float', 'int', 'uint')):
+        for word, kind in enumerate(() if self.is_pure else ('float', 'int', 'uint')):
             value = self.variables(kind)[0]
             bits = {'float': f'floatBitsToUint(clean({value}))', 'int': f'uint({value})', 'uint': value}[kind]
             self.line(f'own[{OWN} * self() + {word}] = {bits};')
         if not self.is_compute:
-            values = ', '.join(f'clean({self.expression("float", 1)})' for _ in range(4))
+            e = lambda: self.expression('float', 1)
+            values = ', '.join((f'clean({e()})', f'texture(levels, vec2({e()}, {e()})).x',
+                                f'window(vec3({e()}, {e()}, {e()}))', f'texture(shadow, vec3({e()}, {e()}, {e()}))'))
             self.line(f'color = vec4({values});')
         self.lines.append('}')
         return '\n'.join(self.lines) + '\n'

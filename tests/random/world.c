@@ -32,32 +32,55 @@ void fill_world(struct world *world, int kind)
     memset(world->counters, 0x5a, sizeof world->counters);
 }
 
-static rhw_texture make_texture(rhw_context *context, int side)
+static rhw_texture make_texture(rhw_context *context, int side, enum rhw_format format, int levels)
 {
     rhw_texture texture;
-    const struct rhw_texture_def def = {.width = side, .height = side, .format = RHW_FORMAT_RGBA32_FLOAT};
+    const struct rhw_texture_def def = {
+        .width = side, .height = side, .format = format, .mip_levels = levels};
     assert_int_equal(rhw_texture_create(context, &def, &texture), RHW_OK);
     return texture;
 }
 
-void open_stage(struct stage *stage)
+// Make what is sampled: a picture of one level, whose sampler needs no gradient, one of all levels, and a shadow map.
+static void make_pictures(struct stage *stage)
 {
     static float texels[PICTURE * PICTURE][4];
-    const struct rhw_sampler_def sampler = rhw_sampler_def_default();
-    const float scale = 1.75f;
+    rhw_context *const context = stage->rig.context;
+    const struct rhw_sampler_def sampler = rhw_sampler_def_default(),
+                                 filtering = {.mip_filter = RHW_MIP_FILTER_LINEAR, .max_anisotropy = 4},
+                                 comparing = {.compares = true, .compare = RHW_COMPARE_LESS_EQUAL};
     uint64_t state = 7;
     for (int i = 0; i < PICTURE * PICTURE * 4; i++) {
         texels[i / 4][i % 4] = rig_random_float(&state, 0, 1);
     }
+    stage->picture = make_texture(context, PICTURE, RHW_FORMAT_RGBA32_FLOAT, 1);
+    stage->levels = make_texture(context, PICTURE, RHW_FORMAT_RGBA32_FLOAT, 4);
+    stage->shadow = make_texture(context, PICTURE, RHW_FORMAT_D32_FLOAT, 1);
+    assert_int_equal(rhw_texture_write(context, stage->picture, 0, texels, 0), RHW_OK);
+    assert_int_equal(rhw_texture_write(context, stage->levels, 0, texels, 0), RHW_OK);
+    assert_int_equal(rhw_texture_generate_mips(context, stage->levels), RHW_OK);
+    assert_int_equal(rhw_texture_write(context, stage->shadow, 0, texels, 0), RHW_OK);
+    assert_int_equal(rhw_sampler_create(context, &sampler, &stage->sampler), RHW_OK);
+    assert_int_equal(rhw_sampler_create(context, &filtering, &stage->filtering), RHW_OK);
+    assert_int_equal(rhw_sampler_create(context, &comparing, &stage->comparing), RHW_OK);
+    assert_int_equal(rhw_binding_of_texture(context, stage->picture, stage->sampler, &stage->set[4]), RHW_OK);
+    assert_int_equal(rhw_binding_of_texture(context, stage->levels, stage->filtering, &stage->set[6]),
+                     RHW_OK);
+    assert_int_equal(rhw_binding_of_texture(context, stage->shadow, stage->comparing, &stage->set[7]),
+                     RHW_OK);
+    assert_false(rhw_binding_sample_needs_gradient(&stage->set[4], &stage->set[4]));
+    assert_true(rhw_binding_sample_needs_gradient(&stage->set[6], &stage->set[6]));
+}
+
+void open_stage(struct stage *stage)
+{
+    const float scale = 1.75f;
     struct rhw_context_def def = rhw_context_def_default();
     def.threads = 1; // so that atomics come in one order
     rig_open_with(&stage->rig, SIDE, SIDE, &def);
     rhw_context *const context = stage->rig.context;
-    stage->picture = make_texture(context, PICTURE);
-    stage->canvas = make_texture(context, CANVAS);
-    assert_int_equal(rhw_texture_write(context, stage->picture, 0, texels, 0), RHW_OK);
-    assert_int_equal(rhw_sampler_create(context, &sampler, &stage->sampler), RHW_OK);
-    assert_int_equal(rhw_binding_of_texture(context, stage->picture, stage->sampler, &stage->set[4]), RHW_OK);
+    make_pictures(stage);
+    stage->canvas = make_texture(context, CANVAS, RHW_FORMAT_RGBA32_FLOAT, 1);
     assert_int_equal(rhw_binding_of_image(context, stage->canvas, 0, false, &stage->set[5]), RHW_OK);
     stage->push[0] = 3;
     memcpy(&stage->push[1], &scale, sizeof scale);
@@ -75,9 +98,9 @@ static void bind_world(struct stage *stage, struct world *world)
 
 // The frame of a program, whose set has the bindings that it uses, one behind the other.
 static struct rhw_shader_frame frame_of(const struct stage *stage, const rhw_shader_program *program,
-                                        struct rhw_binding set[6])
+                                        struct rhw_binding set[BINDINGS])
 {
-    for (uint32_t b = 0; b < 6; b++) {
+    for (uint32_t b = 0; b < BINDINGS; b++) {
         const int place = rhw_shader_program_find(program, 0, b);
         if (place >= 0) {
             set[place] = stage->set[b];
@@ -110,7 +133,7 @@ void run_program(struct stage *stage, const struct rhw_program *drawn,
                  const struct rhw_compute_program *compute, const rhw_shader_program *linked,
                  struct world *world, int kind)
 {
-    struct rhw_binding set[6];
+    struct rhw_binding set[BINDINGS];
     fill_world(world, kind);
     bind_world(stage, world);
     const struct rhw_shader_frame frame = frame_of(stage, linked, set);

@@ -8,7 +8,16 @@
 
 #include "harness.h"
 
-enum { SIDE = 16, WORKGROUPS = 3, SOURCE = 64, OWN = 8 * 1024, COUNTERS = 16, CANVAS = 32, PICTURE = 8 };
+enum {
+    SIDE = 16,
+    WORKGROUPS = 3,
+    SOURCE = 64,
+    OWN = 8 * 1024,
+    COUNTERS = 16,
+    CANVAS = 32,
+    PICTURE = 8,
+    BINDINGS = 8
+};
 
 // What a program reads and leaves.
 struct world {
@@ -22,9 +31,9 @@ struct world {
 // What stands around programs.
 struct stage {
     struct rig rig;
-    rhw_texture picture, canvas;
-    rhw_sampler sampler;
-    struct rhw_binding set[6];
+    rhw_texture picture, canvas, levels, shadow;
+    rhw_sampler sampler, filtering, comparing;
+    struct rhw_binding set[BINDINGS];
     struct rhw_shader_frame frame;
     int32_t push[2];
 };
