@@ -45,8 +45,8 @@ struct shader_instruction {
     uint8_t op;
     uint8_t is_uniform; // one vector is computed
     uint16_t resource;  // what LOAD, STORE and LENGTH access; SHADER_NO_RESOURCE: push constants
-    uint32_t
-        immediate; // the node's; structure has the instruction to jump to, NEEDS_GRADIENT the sampler's resource
+    // The node's. Structure has the instruction to jump to, and NEEDS_GRADIENT the sampler's resource.
+    uint32_t immediate;
     struct shader_operand_of result, a, b,
         c; // where no lane is active behind an END, it goes to c.vector if that is not 0
 };
