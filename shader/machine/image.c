@@ -199,7 +199,7 @@ static bool is_in_window(const struct shader_generator *g, uint32_t place, uint3
     const struct shader_program *const form = g->form;
     struct shader_node *const a = &form->nodes[form->code[first]], *const b = &form->nodes[form->code[place]];
     if (b->op != SHADER_SAMPLE || (b->immediate & fields) != wanted || a->immediate != b->immediate ||
-        g->plan.block[place] != g->plan.block[first]) {
+        g->plan.block[place] != g->plan.block[first] || g->plan.run[place] != g->plan.run[first]) {
         return false;
     }
     uint32_t count;

@@ -26,6 +26,11 @@ layout(set = 0, binding = 7) uniform sampler2DShadow shadow;
 layout(push_constant) uniform Push { int count; float scale; } push;
 #define PART(x, y) textureLodOffset(shadow, at, 0.0, ivec2(x, y))
 float window(vec3 at) { return PART(-1, 0) + 2.0 * PART(0, 0) + 4.0 * PART(1, 1) + 8.0 * PART(0, 1); }
+float turns(vec3 at)
+{
+    float a = PART(-1, 0), b = sin(at.x + a), c = PART(0, 0) * b, d = cos(at.y + c);
+    return PART(1, 0) * d + PART(1, 1) * sin(d - c);
+}
 float clean(float x) { return isnan(x) ? 7.0 : x; }
 '''
 COMPUTE = '''layout(local_size_x = %d) in;
@@ -356,7 +361,8 @@ class Program:
         if not self.is_compute:
             e = lambda: self.expression('float', 1)
             values = ', '.join((f'clean({e()})', f'texture(levels, vec2({e()}, {e()})).x',
-                                f'window(vec3({e()}, {e()}, {e()}))', f'texture(shadow, vec3({e()}, {e()}, {e()}))'))
+                                f'window(vec3({e()}, {e()}, {e()}))', f'texture(shadow, vec3({e()}, {e()}, {e()})) + '
+                                f'clean(turns(vec3({e()}, {e()}, 0.5)))'))
             self.line(f'color = vec4({values});')
         self.lines.append('}')
         return '\n'.join(self.lines) + '\n'
