@@ -157,9 +157,11 @@ static const char *decode_webp(const unsigned char *bytes, size_t size, struct s
 
 static const char unknown[] = "not an image format that can be read";
 
-// Decode what stb_image reads.
-static const char *decode_other(const unsigned char *bytes, size_t size, struct scene_image *image)
+// Decode by stb_image, which takes the bytes by `supply` unless that is NULL.
+static const char *decode_by_stb(const unsigned char *bytes, size_t size, struct supply *supply,
+                                 struct scene_image *image)
 {
+    const stbi_io_callbacks callbacks = {supply_read, supply_skip, supply_ended};
     if (size > INT_MAX) {
         return "the file is too large";
     }
@@ -186,10 +188,13 @@ static const char *decode_other(const unsigned char *bytes, size_t size, struct 
         type = SCENE_IMAGE_RGBA16;
         texel = 8;
         stbi__g_failure_reason = damaged;
-        texels = stbi_load_16_from_memory(bytes, length, &width, &height, &channels, 4);
+        texels = supply != NULL
+                     ? stbi_load_16_from_callbacks(&callbacks, supply, &width, &height, &channels, 4)
+                     : stbi_load_16_from_memory(bytes, length, &width, &height, &channels, 4);
     } else {
         stbi__g_failure_reason = damaged;
-        texels = stbi_load_from_memory(bytes, length, &width, &height, &channels, 4);
+        texels = supply != NULL ? stbi_load_from_callbacks(&callbacks, supply, &width, &height, &channels, 4)
+                                : stbi_load_from_memory(bytes, length, &width, &height, &channels, 4);
     }
     if (texels == NULL) {
         return stbi_failure_reason();
@@ -202,10 +207,24 @@ static const char *decode_other(const unsigned char *bytes, size_t size, struct 
     return NULL;
 }
 
+// Decode TGA, BMP, PSD, PNM and Radiance HDR. stb_image takes what is missing at the end of them for zeros.
+static const char *decode_other(const unsigned char *bytes, size_t size, struct scene_image *image)
+{
+    struct supply supply = {.bytes = bytes, .size = size};
+    struct scene_image decoded = *image;
+    const char *const problem = decode_by_stb(bytes, size, &supply, &decoded);
+    if (problem == NULL && supply.ran_out) {
+        free(decoded.texels);
+        return "the file ends too early";
+    }
+    *image = decoded;
+    return problem;
+}
+
 static const char *decode_png(const unsigned char *bytes, size_t size, struct scene_image *image)
 {
     const char *const too_many = scene_png_problem(bytes, size);
-    const char *const problem = too_many != NULL ? too_many : decode_other(bytes, size, image);
+    const char *const problem = too_many != NULL ? too_many : decode_by_stb(bytes, size, NULL, image);
     return problem == unknown ? "damaged PNG" : problem;
 }
 
@@ -222,7 +241,7 @@ static const char *decode_ended(const unsigned char *bytes, size_t size, unsigne
     memset(ended + size, filling, FILLED);
     ended[size + FILLED] = MARK;
     ended[size + FILLED + 1] = END;
-    const char *const problem = decode_other(ended, size + FILLED + 2, image);
+    const char *const problem = decode_by_stb(ended, size + FILLED + 2, NULL, image);
     free(ended);
     return problem;
 }
@@ -262,7 +281,7 @@ static const char *decode_jpeg(const unsigned char *bytes, size_t size, struct s
         return gap;
     }
     const char *const problem =
-        lacks_end ? decode_endless(bytes, size, image) : decode_other(bytes, size, image);
+        lacks_end ? decode_endless(bytes, size, image) : decode_by_stb(bytes, size, NULL, image);
     // stb_image tries PNG first. The reason is that of the trial where JPEG fails without one.
     const bool lacks_reason = problem != NULL && (problem == unknown || strcmp(problem, "bad png sig") == 0);
     return lacks_reason ? "damaged JPEG" : problem;

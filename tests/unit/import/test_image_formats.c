@@ -835,6 +835,36 @@ static void test_jpeg_gaps(void **state)
     }
 }
 
+// An image whose last texels are not there is refused, whatever the size of its header and its texels.
+static void test_cut_images(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *head;
+        size_t head_size, data_size;
+    } images[] = {
+        {BYTES("P6 1 1 255\n"), 3},
+        {BYTES("P5 40 40 255\n"), 1600},
+        {BYTES("P5 16 16 65535\n"), 512},
+        {BYTES("\0\0\2\0\0\0\0\0\0\0\0\0\1\0\1\0\40\0"), 4},
+        {BYTES("\0\0\2\0\0\0\0\0\0\0\0\0\40\0\40\0\30\0"), 3072},
+        {BYTES("\0\0\12\0\0\0\0\0\0\0\0\0\40\0\2\0\30\0\237\1\2\3\237"), 3}, // in runs
+        {BYTES("BM\0\0\0\0\0\0\0\0\66\0\0\0\50\0\0\0\20\0\0\0\20\0\0\0\1\0\40\0"
+               "\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0"),
+         1024},
+        {BYTES("8BPS\0\1\0\0\0\0\0\0\0\3\0\0\0\20\0\0\0\20\0\10\0\3\0\0\0\0\0\0\0\0\0\0\0\0\0\0"), 768},
+    };
+    for (size_t i = 0; i < sizeof images / sizeof images[0]; i++) {
+        struct file file = file_of(images[i].head, images[i].head_size);
+        file.size += images[i].data_size;
+        struct scene_image image = decode_file(&file);
+        free(image.texels);
+        file.size--;
+        assert_refused(&file, "the file ends too early");
+        file.size = images[i].head_size;
+        assert_refused(&file, "the file ends too early");
+    }
+}
 #undef BYTES
 #undef BASELINE
 #undef SCAN
@@ -879,6 +909,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_avif),
     cmocka_unit_test(test_sizes),
     cmocka_unit_test(test_bmp_from_top),
+    cmocka_unit_test(test_cut_images),
     cmocka_unit_test(test_damaged_headers),
     cmocka_unit_test(test_jpeg_tables),
     cmocka_unit_test(test_jpeg_gaps),
