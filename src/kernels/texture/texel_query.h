@@ -42,8 +42,9 @@ static inline void fetch_plain(const struct rhw_texture_data *texture, const i32
     const i32x8 x = keep_inside(at[0], i32x8_splat(mip->width), &inside);
     const i32x8 y = keep_inside(at[1], i32x8_splat(mip->height), &inside);
     // Groups come block by block: the texels of the row of blocks below are wanted next.
-    __builtin_prefetch(mip->texels + (size_t)(uint32_t)(y[0] + RHW_BLOCK) * mip->row_pitch +
-                       (size_t)(uint32_t)x[0] * texture->info->size);
+    // Nothing is loaded where there are none: no pointer may stand there, but a number may.
+    __builtin_prefetch((const void *)((uintptr_t)mip->texels + (size_t)(y[0] + RHW_BLOCK) * mip->row_pitch +
+                                      (size_t)x[0] * texture->info->size));
     fetch_raw_texels(texture->info->size, mip, x, y, &raw);
     decode_texels(texture->info, &raw, texel);
     for (int c = 0; c < texture->info->channels; c++) {
