@@ -298,7 +298,7 @@ refuse 1 "pointer.hdr: is a Git LFS pointer, not the file \(git lfs pull\)" rend
 refuse 1 "cube.mtl: an environment must be a Radiance HDR or an OpenEXR picture" render cube.obj -o b.png --environment cube.mtl
 : >empty.hdr
 refuse 1 "empty.hdr: the file is empty" render cube.obj -o b.png --environment empty.hdr
-refuse 1 "\.: cannot be opened: Is a directory" render cube.obj -o b.png --environment .
+refuse 1 "\.: Is a directory" render cube.obj -o b.png --environment .
 head -c 60 sky.hdr >cut.hdr
 refuse 1 "cut.hdr: the Radiance HDR file ends too early" render cube.obj -o b.png --environment cut.hdr
 check "nothing is left of a failure" test ! -e b.png

@@ -6,7 +6,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "file.h"
 #include "image_load.h"
 #include "import/builder/import.h"
 #include "import/image/read.h"
@@ -133,10 +132,9 @@ bool cli_panorama_load(struct scene_panorama *panorama, const char *path)
 {
     enum { LOOKED_AT = 1024 }; // a pointer of Git LFS is shorter
     char start[LOOKED_AT + 1] = "";
-    const int descriptor = system_file_open_regular(path);
-    FILE *stream = descriptor >= 0 ? fdopen(descriptor, "rb") : NULL;
+    FILE *stream = fopen(path, "rb");
     if (stream == NULL) {
-        cli_error(path, "cannot be opened: %s", errno ? strerror(errno) : "it is no regular file");
+        cli_error(path, "cannot be opened: %s", strerror(errno));
         return false;
     }
     bool loaded = false;
