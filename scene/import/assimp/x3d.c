@@ -12,6 +12,8 @@
 #include <string.h>
 #include <strings.h>
 
+#define FILLER "x" // a text, which assimp passes over where it reads nodes
+
 // Pass quotation marks, which may be written as &quot;. Return their length, or 0 where there are none.
 static size_t quote_at(const char *text, const char *end)
 {
@@ -85,7 +87,7 @@ static char *choose(struct scene_import *import, struct scene_collada_value url)
 static void write_address(struct scene_import *import, struct scene_edits *edits, const char *text, char *tag,
                           char *close)
 {
-    static const char *const nodes[] = {"ImageTexture", "Inline", "MovieTexture", "Anchor", "AudioClip"};
+    static const char *const nodes[] = {"ImageTexture", "Inline", "MovieTexture", "AudioClip"};
     for (size_t i = 0; i < sizeof nodes / sizeof nodes[0]; i++) {
         const struct scene_collada_value url = scene_collada_is_tag(tag, nodes[i])
                                                    ? scene_collada_attribute(tag, close, "url")
@@ -98,10 +100,37 @@ static void write_address(struct scene_import *import, struct scene_edits *edits
     }
 }
 
-// Write the name of a group that assimp knows. Of levels of detail the first is the finest.
-static void write_group(struct scene_import *import, struct scene_edits *edits, const char *text, char *tag)
+// Return true if an element ends without content.
+static bool is_bare(const char *close)
 {
-    static const char *const groups[][3] = {{"Collision", "Group", "Group"},
+    return close[-1] == '/' || strncmp(close + 1 + strspn(close + 1, " \t\r\n"), "</", 2) == 0;
+}
+
+// Write a group without content, at which assimp crashes, as one with a text, of which it takes no notice.
+static void write_bare(struct scene_import *import, struct scene_edits *edits, const char *text, char *tag,
+                       char *close, const char *name)
+{
+    char written[64];
+    if (close[-1] == '/') {
+        snprintf(written, sizeof written, "<%s>" FILLER "</%s>", name, name);
+    } else {
+        snprintf(written, sizeof written, "<%s>" FILLER, name);
+    }
+    scene_edits_add_string(import, edits, (size_t)(tag - text), (size_t)(close - tag) + 1, written);
+    if (scene_collada_attribute(tag, close, "USE").text != NULL) {
+        scene_import_unsupported(import, "groups that are used again (X3D): not drawn");
+    }
+}
+
+// Write a group as one that assimp reads. Of levels of detail the first is the finest. Return false if it is no group.
+static bool write_group(struct scene_import *import, struct scene_edits *edits, const char *text, char *tag,
+                        char *close)
+{
+    static const char *const groups[][3] = {{"Group", "Group", "Group"},
+                                            {"StaticGroup", "StaticGroup", "StaticGroup"},
+                                            {"Transform", "Transform", "Transform"},
+                                            {"Switch", "Switch", "Switch"},
+                                            {"Collision", "Group", "Group"},
                                             {"Anchor", "Group", "Group"},
                                             {"Billboard", "Group", "Group"},
                                             {"PickableGroup", "Group", "Group"},
@@ -115,11 +144,18 @@ static void write_group(struct scene_import *import, struct scene_edits *edits, 
                                             {"LOD", "Switch whichChoice=\"0\"", "Switch"}};
     char *const name = tag + (tag[1] == '/');
     for (size_t i = 0; i < sizeof groups / sizeof groups[0]; i++) {
-        if (scene_collada_is_tag(name, groups[i][0])) {
-            scene_edits_add_string(import, edits, (size_t)(name + 1 - text), strlen(groups[i][0]),
-                                   groups[i][name == tag ? 1 : 2]);
+        if (!scene_collada_is_tag(name, groups[i][0])) {
+            continue;
         }
+        const char *const written = groups[i][name == tag ? 1 : 2];
+        if (name == tag && is_bare(close)) {
+            write_bare(import, edits, text, tag, close, groups[i][2]);
+        } else if (strcmp(written, groups[i][0]) != 0) {
+            scene_edits_add_string(import, edits, (size_t)(name + 1 - text), strlen(groups[i][0]), written);
+        }
+        return true;
     }
+    return false;
 }
 
 static char *write_tags(struct scene_import *import, char *text, size_t *size)
@@ -131,8 +167,9 @@ static char *write_tags(struct scene_import *import, char *text, size_t *size)
         if (close == NULL) {
             break;
         }
-        write_address(import, &edits, text, tag, close);
-        write_group(import, &edits, text, tag);
+        if (!write_group(import, &edits, text, tag, close)) {
+            write_address(import, &edits, text, tag, close);
+        }
     }
     char *const written = scene_edits_apply(import, &edits, text, size);
     if (written == NULL) {
@@ -163,6 +200,7 @@ static void blank_nodes(char *text, size_t size, const struct scene_assimp_unkno
         depth -= is_end && depth > 0;
         if (first != NULL && is_node && depth == first_depth && (is_end || close[-1] == '/')) {
             memset(first, ' ', (size_t)(close - first) + 1);
+            memcpy(first, FILLER, strlen(FILLER)); // a group may have nothing else
             first = NULL;
         } else if (is_node && !is_end && close[-1] != '/') {
             open[depth++] = tag;
@@ -181,10 +219,12 @@ char *scene_assimp_x3d(struct scene_import *import, const struct scene_assimp_un
         free(text);
         return NULL;
     }
+    char *const written =
+        write_tags(import, text, size); // assimp names the parents of nodes as they are written
     for (unsigned i = 0; i < unknowns->count; i++) {
-        blank_nodes(text, *size, &unknowns->list[i]);
+        blank_nodes(written, *size, &unknowns->list[i]);
     }
-    return write_tags(import, text, size);
+    return written;
 }
 
 bool scene_assimp_leave_out(struct scene_import *import, const char *error,
