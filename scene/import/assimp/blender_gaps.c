@@ -132,14 +132,49 @@ static bool is_struct(const struct dump *dump, const struct dna *dna, uint32_t i
     return strcmp(text_at(dna->types, dna->type_count, type), name) == 0;
 }
 
+enum kind { OBJECT, SCENE, MATERIAL, KINDS };
+
+enum { MOST_FIELDS = 5 };
+
+// Kinds of blocks that are looked at, and the fields of their structs.
+static const struct {
+    const char *code, *type, *fields[MOST_FIELDS];
+} kinds[KINDS] = {
+    [OBJECT] = {"OB\0", "Object", {"type", "restrictflag", "lay", "*dup_group", "particlesystem"}},
+    [SCENE] = {"SC\0", "Scene", {"lay"}},
+    [MATERIAL] = {"MA\0", "Material", {"use_nodes"}},
+};
+
+// Where the fields of a kind are. They are looked up once, as a hostile file has many blocks, and many fields in a
+// struct.
+struct layout {
+    bool is_known;
+    uint32_t index; // number of the struct in the DNA
+    struct field fields[MOST_FIELDS];
+};
+
 struct look {
     struct scene_import *import;
     const struct dump *dump;
     const struct dna *dna;
+    struct layout layouts[KINDS];
     uint64_t layers; // layers of the first scene that are shown. 0 if none is known
 };
 
-static void look_at_object(const struct look *look, uint32_t index, size_t at)
+// Return where the fields of a kind of block are. Return NULL for a block of another struct than the first of its kind.
+static const struct field *find_layout(struct look *look, enum kind kind, uint32_t index)
+{
+    struct layout *const layout = &look->layouts[kind];
+    if (!layout->is_known && is_struct(look->dump, look->dna, index, kinds[kind].type)) {
+        *layout = (struct layout){.is_known = true, .index = index};
+        for (size_t i = 0; i < MOST_FIELDS && kinds[kind].fields[i] != NULL; i++) {
+            layout->fields[i] = find_field(look->dump, look->dna, index, kinds[kind].fields[i]);
+        }
+    }
+    return layout->is_known && layout->index == index ? layout->fields : NULL;
+}
+
+static void look_at_object(const struct look *look, const struct field *fields, size_t at)
 {
     enum { MESH = 1, HIDDEN_IN_VIEW = 1, HIDDEN_IN_PICTURE = 4 };
     static const struct {
@@ -148,10 +183,9 @@ static void look_at_object(const struct look *look, uint32_t index, size_t at)
     } others[] = {{2, "curves"},        {3, "surfaces"},       {4, "text"},
                   {5, "metaballs"},     {26, "grease pencil"}, {27, "hair"},
                   {28, "point clouds"}, {29, "volumes"},       {30, "grease pencil"}};
-    const char *const names[] = {"type", "restrictflag", "lay", "*dup_group", "particlesystem"};
-    uint64_t values[5];
-    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
-        struct field field = find_field(look->dump, look->dna, index, names[i]);
+    uint64_t values[MOST_FIELDS];
+    for (size_t i = 0; i < MOST_FIELDS; i++) {
+        struct field field = fields[i];
         field.size = field.size > look->dump->pointer ? look->dump->pointer : field.size;
         values[i] = read_field(look->dump, at, field);
     }
@@ -172,6 +206,24 @@ static void look_at_object(const struct look *look, uint32_t index, size_t at)
     }
 }
 
+static void look_at_block(struct look *look, const char *code, uint32_t index, size_t at)
+{
+    for (enum kind kind = 0; kind < KINDS; kind++) {
+        const bool is_kind = memcmp(code, kinds[kind].code, 4) == 0;
+        const struct field *const fields = is_kind ? find_layout(look, kind, index) : NULL;
+        if (fields == NULL) {
+            continue;
+        }
+        if (kind == OBJECT) {
+            look_at_object(look, fields, at);
+        } else if (kind == SCENE && look->layers == 0) {
+            look->layers = read_field(look->dump, at, fields[0]);
+        } else if (kind == MATERIAL && read_field(look->dump, at, fields[0]) != 0) {
+            scene_import_unsupported(look->import, "materials of nodes (Blender): drawn plain");
+        }
+    }
+}
+
 // Look at the blocks of a file. With `dna` NULL, return where the content of its DNA begins, or 0.
 static size_t visit(struct look *look)
 {
@@ -188,16 +240,8 @@ static size_t visit(struct look *look)
         if (look->dna == NULL && memcmp(code, "DNA1", 4) == 0) {
             return content;
         }
-        if (look->dna != NULL && memcmp(code, "SC\0\0", 4) == 0 && look->layers == 0 &&
-            is_struct(dump, look->dna, index, "Scene")) {
-            look->layers = read_field(dump, content, find_field(dump, look->dna, index, "lay"));
-        } else if (look->dna != NULL && memcmp(code, "OB\0\0", 4) == 0 &&
-                   is_struct(dump, look->dna, index, "Object")) {
-            look_at_object(look, index, content);
-        } else if (look->dna != NULL && memcmp(code, "MA\0\0", 4) == 0 &&
-                   is_struct(dump, look->dna, index, "Material") &&
-                   read_field(dump, content, find_field(dump, look->dna, index, "use_nodes")) != 0) {
-            scene_import_unsupported(look->import, "materials of nodes (Blender): drawn plain");
+        if (look->dna != NULL) {
+            look_at_block(look, code, index, content);
         }
         at = content + (size_t)size;
     }

@@ -3,6 +3,7 @@
 #include "model_files.h"
 
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #define MODELS "/usr/share/assimp/models/BLEND/"
@@ -83,8 +84,44 @@ static void test_colors(void **state)
     scene_model_free(model);
 }
 
+static unsigned char *put(unsigned char *to, const void *bytes, size_t size)
+{
+    memcpy(to, bytes, size);
+    return to + size;
+}
+
+// Fields are looked up once for each kind of block. For each of many blocks it would take more than the limit.
+static void test_many_blocks(void **state)
+{
+    (void)state;
+    enum { BLOCKS = 40000, BLOCK = 24, FIELDS = 0xffff };
+    static const unsigned char object[BLOCK] = {'O', 'B', [8] = 1, [20] = 1};
+    static const char dna[] = "DNA1\x34\0\4\0\1\0\0\0\0\0\0\0\0\0\0\0\1\0\0\0"
+                              "SDNANAME\1\0\0\0x\0\0\0TYPE\2\0\0\0Object\0char\0TLEN\0\0\1\0"
+                              "STRC\1\0\0\0\0\0\xff\xff";
+    unsigned char *const bytes = malloc(BLOCKS * BLOCK + 4 * FIELDS + 256);
+    unsigned char *end = put(bytes, "BLENDER-v269", 12);
+    for (int i = 0; i < BLOCKS; i++) {
+        end = put(end, object, BLOCK);
+    }
+    end = put(end, dna, sizeof dna - 1);
+    for (int i = 0; i < FIELDS; i++) {
+        end = put(end, "\1\0\0", 4);
+    }
+    end = put(end, (const unsigned char[BLOCK]){'E', 'N', 'D', 'B'}, BLOCK);
+    write_bytes("many.blend", bytes, (size_t)(end - bytes));
+    free(bytes);
+    char error[256] = "";
+    const struct scene_model_options options = {.seconds = 8};
+    assert_null(scene_model_load(path_of("many.blend"), &options, error, sizeof error));
+    if (strstr(error, "no `Scene`") == NULL) {
+        fail_msg("%s", error);
+    }
+}
+
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_told),
+    cmocka_unit_test(test_many_blocks),
     cmocka_unit_test(test_colors),
 };
 
