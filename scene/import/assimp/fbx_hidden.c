@@ -16,6 +16,7 @@ enum {
     SHOWN = 8,   // below the root of the scene
     DRAWN = 16,  // has a shape
     KNOWN = 32,  // what is above it has been added
+    LOW = 64,    // a curve that reaches 0
 };
 
 struct graph {
@@ -72,6 +73,17 @@ static void close_graph(struct graph *graph)
     free(graph->above);
 }
 
+// Return true if a curve reaches 0. Many links may name one curve, whose values are looked at once.
+static bool reaches_zero(struct graph *graph, uint32_t curve, const char *bytes, size_t size)
+{
+    struct scene_fbx_object *const object = &graph->all.objects[curve];
+    if (object->keys != 0) {
+        graph->flags[curve] |= scene_fbx_reaches_zero(bytes, size, object->keys) ? LOW : 0;
+        object->keys = 0;
+    }
+    return (graph->flags[curve] & LOW) != 0;
+}
+
 // Find the curves that hide what follows them. A property follows curves, and a model follows properties.
 static void follow_curves(struct graph *graph, const char *bytes, size_t size)
 {
@@ -86,8 +98,7 @@ static void follow_curves(struct graph *graph, const char *bytes, size_t size)
         const struct scene_fbx_link *const link = &graph->all.links[i];
         const uint32_t curve = find(graph, link->child), node = find(graph, link->parent);
         if (is_of(graph, curve, SCENE_FBX_CLASS_CURVE) && is_of(graph, node, SCENE_FBX_CLASS_CURVE_NODE) &&
-            (graph->flags[node] & MOVED) != 0 && graph->all.objects[curve].keys != 0 &&
-            scene_fbx_reaches_zero(graph->import, bytes, size, graph->all.objects[curve].keys)) {
+            (graph->flags[node] & MOVED) != 0 && reaches_zero(graph, curve, bytes, size)) {
             graph->flags[node] |= HIDDEN;
         }
     }

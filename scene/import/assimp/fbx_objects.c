@@ -275,39 +275,63 @@ static void read_text(struct scene_import *import, char *bytes, size_t size, str
 
 // Curves --------------------------------------------------------------------------------------------
 
-// Return true if a float of an array in a binary file is 0 or less.
-static bool has_zero(struct scene_import *import, const struct scene_fbx_bytes *file, size_t place)
+// Return true if one of the floats that stand at `bytes` is 0 or less.
+static bool has_low(const unsigned char *bytes, size_t size)
 {
-    enum { HEAD = 13, LEAST = 1032 }; // zlib makes at most so many bytes of one
+    for (; size >= sizeof(float); bytes += sizeof(float), size -= sizeof(float)) {
+        float value;
+        memcpy(&value, bytes, sizeof value);
+        if (value <= 0) {
+            return true;
+        }
+    }
+    return false;
+}
+
+// Return true if one of the floats that zlib has packed is 0 or less. Stored bytes may stand for a thousand times as
+// many, so these are made piece by piece. `size` is how many there are.
+static bool has_packed_low(const unsigned char *stored, size_t stored_size, size_t size)
+{
+    unsigned char piece[4096];
+    z_stream stream = {.next_in = (Bytef *)(uintptr_t)stored, .avail_in = (uInt)stored_size};
+    int status = inflateInit(&stream);
+    if (status != Z_OK) {
+        return false;
+    }
+    bool found = false;
+    while (status == Z_OK && !found && size > 0) {
+        stream.next_out = piece;
+        stream.avail_out = (uInt)(size < sizeof piece ? size : sizeof piece);
+        status = inflate(&stream, Z_NO_FLUSH);
+        const size_t made = (size_t)(stream.next_out - piece);
+        found = has_low(piece, made);
+        size -= made;
+    }
+    inflateEnd(&stream);
+    return found;
+}
+
+// Return true if a float of an array in a binary file is 0 or less.
+static bool has_zero(const struct scene_fbx_bytes *file, size_t place)
+{
+    enum { HEAD = 13 };
     const size_t end = scene_fbx_value_end(file, place, file->size);
     if (end == 0 || file->bytes[place] != 'f') {
         return false;
     }
-    const unsigned char *const head = file->bytes + place + 1;
+    const unsigned char *const head = file->bytes + place + 1, *const values = file->bytes + place + HEAD;
     const uint64_t count = scene_fbx_number(head, 4), encoding = scene_fbx_number(head + 4, 4);
     const size_t stored = end - place - HEAD, size = (size_t)count * sizeof(float);
-    if (encoding > 1 || (encoding == 0 && size != stored) || size / LEAST > stored) {
-        return false;
-    }
-    float *const values = scene_import_allocate(import, (size_t)count, sizeof *values);
-    uLongf made = size;
-    bool found = false;
-    if (encoding == 0) {
-        memcpy(values, head + HEAD - 1, size);
-    } else if (uncompress((Bytef *)values, &made, head + HEAD - 1, stored) != Z_OK) {
-        made = 0;
-    }
-    for (size_t i = 0; i < made / sizeof(float) && !found; i++) {
-        found = values[i] <= 0;
-    }
-    free(values);
-    return found;
+    return encoding == 0   ? size == stored && has_low(values, size)
+           : encoding == 1 ? has_packed_low(values, stored, size)
+                           : false;
 }
 
-// Return true if a number of an array in text, up to the brace at its end, is 0 or less.
-static bool has_text_zero(const char *text, const char *end)
+// Return true if a number of an array in text, up to the brace at its end, is 0 or less. A string stands in the head of
+// the next object, so that arrays without an end do not all go on to the end of the file.
+static bool has_text_zero(const char *text)
 {
-    const char *const last = memchr(text, '}', (size_t)(end - text)), *place = NULL;
+    const char *const last = strpbrk(text, "}\""), *place = NULL;
     double value;
     for (const char *c = text; last != NULL && c < last && place == NULL; c++) {
         place = *c == ':' ? c + 1 : NULL; // "a:" stands before the numbers
@@ -322,11 +346,10 @@ static bool has_text_zero(const char *text, const char *end)
     return false;
 }
 
-bool scene_fbx_reaches_zero(struct scene_import *import, const char *bytes, size_t size, size_t keys)
+bool scene_fbx_reaches_zero(const char *bytes, size_t size, size_t keys)
 {
     struct scene_fbx_bytes file;
-    return scene_fbx_is_binary(bytes, size, &file) ? has_zero(import, &file, keys)
-                                                   : has_text_zero(bytes + keys, bytes + size);
+    return scene_fbx_is_binary(bytes, size, &file) ? has_zero(&file, keys) : has_text_zero(bytes + keys);
 }
 
 struct scene_fbx_objects scene_fbx_read_objects(struct scene_import *import, char *bytes, size_t size)

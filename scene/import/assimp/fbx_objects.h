@@ -37,7 +37,7 @@ struct scene_fbx_objects {
 
 /// Read the objects of a file, of which there are none if it is no FBX. A 0 follows the bytes, which stay as they are.
 struct scene_fbx_objects scene_fbx_read_objects(struct scene_import *import, char *bytes, size_t size);
-/// Return true if one of the values of a curve is 0 or less.
-bool scene_fbx_reaches_zero(struct scene_import *import, const char *bytes, size_t size, size_t keys);
+/// Return true if one of the values of a curve is 0 or less. A 0 follows the bytes of the file.
+bool scene_fbx_reaches_zero(const char *bytes, size_t size, size_t keys);
 
 #endif

@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <zlib.h>
 
 static const unsigned char end_mark[16] = {0xf8, 0x5a, 0x8c, 0x6a, 0xde, 0xf5, 0xd9, 0x7e,
                                            0xec, 0xe9, 0x0c, 0xe3, 0x75, 0x8f, 0x29, 0x0b};
@@ -252,6 +253,7 @@ static void test_told(void **state)
 struct binary {
     unsigned char bytes[8192];
     size_t size;
+    bool is_packed; // floats are packed by zlib
 };
 
 static void put(struct binary *binary, const void *bytes, size_t size)
@@ -319,6 +321,14 @@ static const char *put_array(struct binary *binary, const char *text, const char
             type == 'd' || type == 'l' ? 8 : 4);
         c = end;
     }
+    if (type == 'f' && binary->is_packed) {
+        unsigned char packed[256];
+        uLongf size = sizeof packed;
+        assert_int_equal(compress(packed, &size, binary->bytes + head + 13, binary->size - head - 13), Z_OK);
+        binary->size = head + 13;
+        put(binary, packed, size);
+        set_word(binary, head + 5, 1);
+    }
     set_word(binary, head + 1, count);
     set_word(binary, head + 9, binary->size - head - 13);
     return strchr(c, '}') + 1;
@@ -368,10 +378,10 @@ static const char *put_records(struct binary *binary, const char *text)
     return text + (*text == '}');
 }
 
-// Write a text of FBX as a binary file of version 7.4.
-static void write_binary(const char *name, const char *text)
+// Write a text of FBX as a binary file of version 7.4, whose curves are packed or not.
+static void write_binary(const char *name, const char *text, bool is_packed)
 {
-    struct binary binary = {.size = 0};
+    struct binary binary = {.is_packed = is_packed};
     put(&binary, "Kaydara FBX Binary  \0\x1a\0", 23);
     put_word(&binary, 7400);
     put_records(&binary, text);
@@ -386,12 +396,14 @@ static void test_hidden(void **state)
 {
     (void)state;
 #define SHOW(name, value) "\t\t\tP: \"" name "\", \"bool\", \"\", \"\"," value "\n"
+#define FOUR(text)        text text text text
 #define MORE(head)        "\t\t}\n\t}\n\t" head " {\n\t\tProperties70:  {\n"
 #define LAYER             MORE("CollectionExclusive: 13, \"DisplayLayer::l\", \"DisplayLayer\"")
 #define CURVE(keys)                                                                                          \
     MORE("AnimationCurveNode: 14, \"AnimCurveNode::v\", \"\"")                                               \
     "\t\t}\n\t}\n\tAnimationCurve: 15, \"AnimCurve::\", \"\" {\n\t\tKeyTime: *2 {\n\t\t\ta: 0,46186158000\n" \
     "\t\t}\n\t\tKeyValueFloat: *2 {\n\t\t\ta: " keys "\n\t\t}\n\t}\n"                                        \
+    "\tAnimationCurveNode: 17, \"AnimCurveNode::w\", \"\" {\n\t}\n"                                          \
     "\tModel: 16, \"Model::other\", \"Null\" {\n\t\tProperties70:  {\n"
     static const char hidden[] = "hidden objects: drawn", layers[] = "hidden layers (FBX): drawn",
                       moved[] = "objects that are hidden for a while: drawn all the time";
@@ -412,16 +424,22 @@ static void test_hidden(void **state)
         {"", SHOW("Hidden", "0"), in, NULL},
         {"", CURVE("1,0"),
          "\tC: \"OO\",11,12\n\tC: \"OP\",14,12,\"Visibility\"\n\tC: \"OP\",15,14,\"d|Visibility\"\n", moved},
+        {"", CURVE(FOUR(FOUR(FOUR(FOUR(FOUR("1,"))))) "0"),
+         "\tC: \"OO\",11,12\n\tC: \"OP\",14,12,\"Visibility\"\n\tC: \"OP\",15,14,\"d|Visibility\"\n", moved},
         {"", CURVE("1,1"),
          "\tC: \"OO\",11,12\n\tC: \"OP\",14,12,\"Visibility\"\n\tC: \"OP\",15,14,\"d|Visibility\"\n", NULL},
         {"", CURVE("1,0"),
          "\tC: \"OO\",11,12\n\tC: \"OP\",14,12,\"Lcl Scaling\"\n\tC: \"OP\",15,14,\"d|X\"\n", NULL},
         {"", CURVE("1,0"),
          "\tC: \"OO\",11,0\n\tC: \"OP\",14,12,\"Visibility\"\n\tC: \"OP\",15,14,\"d|Visibility\"\n", NULL},
+        {"", CURVE("1,0"),
+         "\tC: \"OO\",11,0\n\tC: \"OP\",14,16,\"Visibility\"\n\tC: \"OP\",15,14,\"d|Visibility\"\n"
+         "\tC: \"OP\",17,11,\"Visibility\"\n\tC: \"OP\",15,17,\"d|Visibility\"\n",
+         moved},
     };
-    for (size_t i = 0; i < 2 * sizeof cases / sizeof cases[0]; i++) {
-        const char *const told = cases[i / 2].told;
-        char text[4096];
+    for (size_t i = 0; i < 3 * (sizeof cases / sizeof cases[0]); i++) {
+        const char *const told = cases[i / 3].told;
+        char text[8192];
         snprintf(text, sizeof text,
                  "; FBX 7.4.0 project file\n"
                  "FBXHeaderExtension:  {\n\tFBXVersion: 7400\n}\n"
@@ -433,8 +451,12 @@ static void test_hidden(void **state)
                  "\tModel: 12, \"Model::group\", \"Null\" {\n"
                  "\t\tProperties70:  {\n%s\t\t}\n\t}\n}\n"
                  "Connections:  {\n\tC: \"OO\",12,0\n\tC: \"OO\",10,11\n%s}\n",
-                 cases[i / 2].own, cases[i / 2].group, cases[i / 2].connections);
-        (i % 2 == 0 ? write_text : write_binary)("hidden.fbx", text);
+                 cases[i / 3].own, cases[i / 3].group, cases[i / 3].connections);
+        if (i % 3 == 0) {
+            write_text("hidden.fbx", text);
+        } else {
+            write_binary("hidden.fbx", text, i % 3 == 2);
+        }
         struct scene_model *const model = load("hidden.fbx");
         if (model->unsupported_count != (told != NULL) || (told != NULL && !is_unsupported(model, told))) {
             fail_msg("case %zu: %u lines, such as %s", i, model->unsupported_count,
@@ -446,12 +468,48 @@ static void test_hidden(void **state)
 #undef MORE
 #undef LAYER
 #undef CURVE
+#undef FOUR
+}
+
+// The values of a curve are looked at once, and not for each of many links, which would take more than the limit.
+static void test_many_links(void **state)
+{
+    (void)state;
+    enum { KEYS = 400000, LINKS = 20000, LINE = 64 };
+    char *const text = malloc(2 * KEYS + LINKS * LINE + 1024), error[256] = "", *end = text;
+    end += sprintf(end,
+                   "; FBX 7.4.0 project file\nFBXHeaderExtension:  {\n\tFBXVersion: 7400\n}\nObjects:  {\n"
+                   "\tGeometry: 10, \"Geometry::\", \"Mesh\" {\n"
+                   "\t\tVertices: *9 {\n\t\t\ta: 0,0,0,1,0,0,0,1,0\n\t\t}\n"
+                   "\t\tPolygonVertexIndex: *3 {\n\t\t\ta: 0,1,-3\n\t\t}\n\t}\n"
+                   "\tModel: 11, \"Model::mesh\", \"Mesh\" {\n\t}\n"
+                   "\tAnimationCurveNode: 14, \"AnimCurveNode::v\", \"\" {\n\t}\n"
+                   "\tAnimationCurve: 15, \"AnimCurve::\", \"\" {\n\t\tKeyValueFloat: *%d {\n\t\t\ta: 1",
+                   KEYS);
+    for (int i = 1; i < KEYS; i++) {
+        end += sprintf(end, ",1");
+    }
+    end += sprintf(end, "\n\t\t}\n\t}\n}\nConnections:  {\n\tC: \"OO\",11,0\n\tC: \"OO\",10,11\n"
+                        "\tC: \"OP\",14,11,\"Visibility\"\n");
+    for (int i = 0; i < LINKS; i++) {
+        end += sprintf(end, "\tC: \"OP\",15,14,\"d|Visibility\"\n");
+    }
+    end += sprintf(end, "}\n");
+    write_bytes("links.fbx", text, (size_t)(end - text));
+    free(text);
+    const struct scene_model_options options = {.seconds = 8};
+    struct scene_model *const model = scene_model_load(path_of("links.fbx"), &options, error, sizeof error);
+    assert_string_equal(error, "");
+    assert_non_null(model);
+    assert_int_equal(model->unsupported_count, 0);
+    scene_model_free(model);
 }
 
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_binary),         cmocka_unit_test(test_order), cmocka_unit_test(test_text),
     cmocka_unit_test(test_first_material), cmocka_unit_test(test_light), cmocka_unit_test(test_opacity),
     cmocka_unit_test(test_hidden),         cmocka_unit_test(test_told),  cmocka_unit_test(test_moved_meshes),
+    cmocka_unit_test(test_many_links),
 };
 
 const struct unit_tests test_fbx = UNIT_TESTS(tests, make_directory, remove_directory);
