@@ -2,6 +2,7 @@
 // What assimp leaves out of a Blender file without a word. A file is a dump of memory: blocks of structs, and a
 // description of all structs, the DNA, by which fields are found.
 #include "assimp.h"
+#include "import/builder/hash_table.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -132,7 +133,7 @@ static bool is_struct(const struct dump *dump, const struct dna *dna, uint32_t i
     return strcmp(text_at(dna->types, dna->type_count, type), name) == 0;
 }
 
-enum kind { OBJECT, SCENE, MATERIAL, KINDS };
+enum kind { OBJECT, SCENE, MATERIAL, BASE, KINDS };
 
 enum { MOST_FIELDS = 5 };
 
@@ -141,8 +142,9 @@ static const struct {
     const char *code, *type, *fields[MOST_FIELDS];
 } kinds[KINDS] = {
     [OBJECT] = {"OB\0", "Object", {"type", "restrictflag", "lay", "*dup_group", "particlesystem"}},
-    [SCENE] = {"SC\0", "Scene", {"lay"}},
+    [SCENE] = {"SC\0", "Scene", {"lay", "base"}},
     [MATERIAL] = {"MA\0", "Material", {"use_nodes"}},
+    [BASE] = {"DATA", "Base", {"*next", "*object"}}, // a link of the list of a scene's objects
 };
 
 // Where the fields of a kind are. They are looked up once, as a hostile file has many blocks, and many fields in a
@@ -153,12 +155,25 @@ struct layout {
     struct field fields[MOST_FIELDS];
 };
 
+// A block of an object or of a base.
+struct block {
+    uint64_t address; // what points to it has this number
+    size_t at;
+    enum kind kind;
+    bool is_drawn;
+};
+
 struct look {
     struct scene_import *import;
     const struct dump *dump;
     const struct dna *dna;
     struct layout layouts[KINDS];
+    bool has_scene;
     uint64_t layers; // layers of the first scene that are shown. 0 if none is known
+    uint64_t first;  // address of its first base. 0 if it has none, as since version 2.8
+    struct block *blocks;
+    size_t block_count, block_capacity;
+    struct scene_hash_table places; // finds blocks by their addresses
 };
 
 // Return where the fields of a kind of block are. Return NULL for a block of another struct than the first of its kind.
@@ -206,7 +221,63 @@ static void look_at_object(const struct look *look, const struct field *fields, 
     }
 }
 
-static void look_at_block(struct look *look, const char *code, uint32_t index, size_t at)
+// Find the block of a kind by its address. Return NULL if there is none.
+static struct block *find_block(const struct look *look, enum kind kind, uint64_t address)
+{
+    const uint64_t key[] = {address, kind};
+    const uint32_t hash = scene_hash_bytes(key, sizeof key);
+    size_t place = SIZE_MAX;
+    uint32_t index = scene_hash_next(&look->places, hash, &place);
+    while (index != UINT32_MAX &&
+           (look->blocks[index].address != address || look->blocks[index].kind != kind)) {
+        index = scene_hash_next(&look->places, hash, &place);
+    }
+    return index == UINT32_MAX ? NULL : &look->blocks[index];
+}
+
+// Add a block. Of blocks with one address the first is found.
+static void add_block(struct look *look, struct block block)
+{
+    const uint64_t key[] = {block.address, block.kind};
+    scene_import_reserve(look->import, &look->blocks, &look->block_capacity, look->block_count + 1,
+                         sizeof *look->blocks);
+    if (find_block(look, block.kind, block.address) == NULL) {
+        scene_hash_add(look->import, &look->places, scene_hash_bytes(key, sizeof key),
+                       (uint32_t)look->block_count);
+    }
+    look->blocks[look->block_count++] = block;
+}
+
+// Mark the objects of the first scene, which assimp draws. Return false if its list is not there.
+static bool mark_drawn(struct look *look)
+{
+    const struct field *const fields = look->layouts[BASE].fields;
+    uint64_t address = look->first;
+    for (size_t i = 0; address != 0 && i < look->block_count; i++) {
+        const struct block *const base = find_block(look, BASE, address);
+        if (base == NULL) {
+            return false;
+        }
+        struct block *const object = find_block(look, OBJECT, read_field(look->dump, base->at, fields[1]));
+        if (object != NULL) {
+            object->is_drawn = true;
+        }
+        address = read_field(look->dump, base->at, fields[0]);
+    }
+    return look->first != 0;
+}
+
+static void look_at_objects(struct look *look)
+{
+    const bool is_marked = mark_drawn(look);
+    for (size_t i = 0; i < look->block_count; i++) {
+        if (look->blocks[i].kind == OBJECT && (look->blocks[i].is_drawn || !is_marked)) {
+            look_at_object(look, look->layouts[OBJECT].fields, look->blocks[i].at);
+        }
+    }
+}
+
+static void look_at_block(struct look *look, const char *code, uint32_t index, uint64_t address, size_t at)
 {
     for (enum kind kind = 0; kind < KINDS; kind++) {
         const bool is_kind = memcmp(code, kinds[kind].code, 4) == 0;
@@ -214,10 +285,13 @@ static void look_at_block(struct look *look, const char *code, uint32_t index, s
         if (fields == NULL) {
             continue;
         }
-        if (kind == OBJECT) {
-            look_at_object(look, fields, at);
-        } else if (kind == SCENE && look->layers == 0) {
+        if (kind == OBJECT || kind == BASE) {
+            add_block(look, (struct block){.address = address, .at = at, .kind = kind});
+        } else if (kind == SCENE && !look->has_scene) {
+            look->has_scene = true;
             look->layers = read_field(look->dump, at, fields[0]);
+            look->first =
+                fields[1].size == 0 ? 0 : read_number(look->dump, at + fields[1].at, look->dump->pointer);
         } else if (kind == MATERIAL && read_field(look->dump, at, fields[0]) != 0) {
             scene_import_unsupported(look->import, "materials of nodes (Blender): drawn plain");
         }
@@ -241,7 +315,7 @@ static size_t visit(struct look *look)
             return content;
         }
         if (look->dna != NULL) {
-            look_at_block(look, code, index, content);
+            look_at_block(look, code, index, read_number(dump, at + 8, dump->pointer), content);
         }
         at = content + (size_t)size;
     }
@@ -288,6 +362,9 @@ void scene_assimp_look_at_blender(struct scene_import *import)
         const struct dna dna = read_dna(import, &dump, start);
         look.dna = &dna;
         visit(&look);
+        look_at_objects(&look);
+        free(look.blocks);
+        free(look.places.entries);
         free(dna.names);
         free(dna.types);
         free(dna.structs);

@@ -84,6 +84,24 @@ static void test_colors(void **state)
     scene_model_free(model);
 }
 
+// A lamp that is turned into a curve, and is then taken out of the scene, of which nothing is to be told.
+static void test_scene(void **state)
+{
+    (void)state;
+    enum { NEXT = 291432, LAMP = 298188 }; // what follows the cube in the scene, and the type of the lamp
+    static unsigned char bytes[1 << 20];
+    const size_t size = read_model(MODELS "BlenderDefault_269.blend", bytes, sizeof bytes);
+    bytes[LAMP] = 2;
+    for (int i = 0; i < 2; i++) {
+        write_bytes("s.blend", bytes, size);
+        struct scene_model *const model = load("s.blend");
+        assert_int_equal(model->triangles_drawn, 12);
+        assert_int_equal(is_unsupported(model, "curves (Blender): not drawn"), i == 0);
+        scene_model_free(model);
+        memset(bytes + NEXT, 0, 8);
+    }
+}
+
 static unsigned char *put(unsigned char *to, const void *bytes, size_t size)
 {
     memcpy(to, bytes, size);
@@ -121,6 +139,7 @@ static void test_many_blocks(void **state)
 
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_told),
+    cmocka_unit_test(test_scene),
     cmocka_unit_test(test_many_blocks),
     cmocka_unit_test(test_colors),
 };
