@@ -167,7 +167,9 @@ static char *write_tags(struct scene_import *import, char *text, size_t *size)
         if (close == NULL) {
             break;
         }
-        if (!write_group(import, &edits, text, tag, close)) {
+        if (strncmp(tag, "<!---->", 7) == 0) { // a comment that assimp takes for a node
+            scene_edits_add_string(import, &edits, (size_t)(tag + 4 - text), 0, FILLER);
+        } else if (!write_group(import, &edits, text, tag, close)) {
             write_address(import, &edits, text, tag, close);
         }
     }

@@ -66,6 +66,7 @@ static void test_nodes(void **state)
         {"<Shape><Appearance><Cloud/></Appearance></Shape>", 1, "nodes Cloud in Appearance (X3D): not drawn"},
         {"<Collision/><LOD/><Group/><StaticGroup/><Switch DEF='s'/><Anchor url='\"a.html\"'/>", 1, NULL},
         {"<Collision></Collision><CADPart>\n</CADPart><LOD></LOD><Group><!-- x --></Group>", 1, NULL},
+        {"<Group><!----></Group><!---->" SHAPE("<!---->"), 2, NULL},
         {"<Switch whichChoice='1'><Group/>" SHAPE("") "</Switch>", 2, NULL},
         {"<Billboard DEF='b'>" SHAPE("") "</Billboard><Billboard USE='b'/>", 2, used},
         {"<Transform DEF='b'>" SHAPE("") "</Transform><Group><Transform USE='b'></Transform></Group>", 2,
