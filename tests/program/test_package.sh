@@ -55,7 +55,8 @@ for package in $packages; do
     says "$package" Maintainer ".+ <.+@.+>"
     says "$package" Description "^ This package has "
     has "$package" "share/doc/$package/copyright" "share/doc/$package/changelog.gz"
-    check "$package runs no scripts" sh -c "! dpkg-deb --ctrl-tarfile ${package}_*.deb | tar -t | grep -E 'inst|rm'"
+    check "$package runs no scripts" sh -c \
+        "list=\$(dpkg-deb --ctrl-tarfile ${package}_*.deb | tar -t) && ! printf '%s' \"\$list\" | grep -E 'inst|rm'"
     if command -v lintian >/dev/null 2>&1; then
         tags=dir-or-file-in-opt,pkg-config-unavailable-for-cross-compilation # of a build that is not for /usr
         check "lintian" lintian --allow-root --fail-on error,warning --suppress-tags $tags \

@@ -4,6 +4,7 @@
 #include "assimp.h"
 #include "import/builder/text_lines.h"
 
+#include <string.h>
 #include <strings.h>
 
 enum { VERTICES, COORDINATES, COLORS, LISTS };
@@ -14,6 +15,7 @@ struct list {
     double count, worst, face;
     double said, faces;
     unsigned line;
+    bool has_count, has_said;
 };
 
 // Refuse the file if a face refers to what is not there. `faces` are those of the mesh.
@@ -55,7 +57,7 @@ static void read_face(struct list *list, struct scene_line line, unsigned number
     if (!scene_text_word(&line, &word) || !scene_word_number(word, &face, &length)) {
         return;
     }
-    list->faces++;
+    list->faces += face == list->faces; // a face that stands twice leaves out another
     for (int corners = 0; corners < 3 && scene_text_word(&line, &word);) {
         const bool is_letter = *word.start >= 'A' && *word.start <= 'C';
         const struct scene_word digits =
@@ -72,6 +74,21 @@ static void read_face(struct list *list, struct scene_line line, unsigned number
     }
 }
 
+// Read a number of a mesh. assimp makes room by the one that stands before the list, and one more might be another.
+static void read_count(struct scene_import *import, const struct list *list, struct scene_line line,
+                       unsigned number, double *count, bool *has_count)
+{
+    double value = 0;
+    if (!scene_text_double(&line, &value)) {
+        return;
+    }
+    if (*has_count && value != *count) {
+        scene_import_fail(import, "line %u: a mesh says two numbers of its %s list", number, list->name);
+    }
+    *count = value;
+    *has_count = true;
+}
+
 static void read_line(struct scene_import *import, struct list lists[LISTS], struct scene_word word,
                       struct scene_line line, unsigned number)
 {
@@ -86,28 +103,53 @@ static void read_line(struct scene_import *import, struct list lists[LISTS], str
     }
     for (int i = 0; i < LISTS; i++) {
         if (scene_word_is(word, counts[i])) {
-            scene_text_double(&line, &lists[i].count);
+            read_count(import, &lists[i], line, number, &lists[i].count, &lists[i].has_count);
         } else if (scene_word_is(word, said[i])) {
-            scene_text_double(&line, &lists[i].said);
+            read_count(import, &lists[i], line, number, &lists[i].said, &lists[i].has_said);
         } else if (scene_word_is(word, faces[i])) {
             read_face(&lists[i], line, number);
         }
     }
 }
 
+// Return true if assimp takes a file for an ASE: by its ending, or by what stands near its beginning.
+static bool is_ase(const struct scene_import *import, const char *bytes, size_t size)
+{
+    enum { LOOKED_AT = 512 };
+    static const char head[] = "*3dsmax_asciiexport";
+    bool is = strcasecmp(import->ending, "ase") == 0 || strcasecmp(import->ending, "ask") == 0;
+    for (size_t i = 0; !is && i < LOOKED_AT && i + sizeof head <= size; i++) {
+        is = strncasecmp(bytes + i, head, sizeof head - 1) == 0;
+    }
+    return is;
+}
+
+// Read the parts of a line that begin with asterisks: assimp finds these anywhere.
+static void read_parts(struct scene_import *import, struct list lists[LISTS], struct scene_line line,
+                       unsigned number)
+{
+    struct scene_word word;
+    const char *star = memchr(line.cursor, '*', (size_t)(line.end - line.cursor));
+    while (star != NULL) {
+        const char *const next = memchr(star + 1, '*', (size_t)(line.end - star - 1));
+        struct scene_line part = {star, next == NULL ? line.end : next};
+        if (scene_text_word(&part, &word)) {
+            read_line(import, lists, word, part, number);
+        }
+        star = next;
+    }
+}
+
 void scene_assimp_look_at_ase(struct scene_import *import, char *bytes, size_t size)
 {
+    if (!is_ase(import, bytes, size)) {
+        return;
+    }
     struct scene_text text = scene_text_open(import, bytes, size);
     struct list lists[LISTS] = {{.name = "vertex"}, {.name = "texture coordinate"}, {.name = "colour"}};
     struct scene_line line;
-    struct scene_word word;
-    if (strcasecmp(import->ending, "ase") != 0 && strcasecmp(import->ending, "ask") != 0) {
-        return;
-    }
     while (scene_text_line(&text, false, &line)) {
-        if (scene_text_word(&line, &word) && *word.start == '*') {
-            read_line(import, lists, word, line, text.line);
-        }
+        read_parts(import, lists, line, text.line);
     }
     end_mesh(import, lists, VERTICES, COLORS);
 }

@@ -89,7 +89,21 @@ static void look_at_extensions(struct look *look, const char *tag, char *close)
     }
 }
 
-// Note a geometry by a tag in it that says what it is.
+static const struct geometry *find_geometry(const struct look *look, struct scene_collada_value id)
+{
+    size_t place = SIZE_MAX;
+    const uint32_t hash = scene_hash_bytes(id.text, id.length);
+    for (uint32_t i = scene_hash_next(&look->places, hash, &place); i != UINT32_MAX;
+         i = scene_hash_next(&look->places, hash, &place)) {
+        const struct geometry *const geometry = &look->geometries[i];
+        if (geometry->id.length == id.length && memcmp(geometry->id.text, id.text, id.length) == 0) {
+            return geometry;
+        }
+    }
+    return NULL;
+}
+
+// Note a geometry by a tag in it that says what it is. Of those with one id the first is meant.
 static void look_at_geometry(struct look *look, char *tag, char *close)
 {
     static const char *const kinds[][2] = {{"spline", "curves"},
@@ -105,7 +119,7 @@ static void look_at_geometry(struct look *look, char *tag, char *close)
         what = scene_collada_is_tag(tag, kinds[i][0]) ? kinds[i][1] : NULL;
     }
     const bool is_convex_mesh = scene_collada_is_tag(tag, "convex_mesh");
-    if (what == NULL || look->id.text == NULL ||
+    if (what == NULL || look->id.text == NULL || find_geometry(look, look->id) != NULL ||
         (is_convex_mesh && scene_collada_attribute(tag, close, "convex_hull_of").text == NULL)) {
         return;
     }
@@ -119,19 +133,12 @@ static void look_at_geometry(struct look *look, char *tag, char *close)
 // Tell of a geometry that a node has, if assimp does not read it.
 static void look_at_instance(const struct look *look, struct scene_collada_value url)
 {
-    size_t place = SIZE_MAX;
-    if (url.length < 2 || url.text[0] != '#') {
-        return;
-    }
-    const struct scene_collada_value id = {url.text + 1, url.length - 1};
-    const uint32_t hash = scene_hash_bytes(id.text, id.length);
-    for (uint32_t i = scene_hash_next(&look->places, hash, &place); i != UINT32_MAX;
-         i = scene_hash_next(&look->places, hash, &place)) {
-        const struct geometry *const geometry = &look->geometries[i];
-        if (geometry->id.length == id.length && memcmp(geometry->id.text, id.text, id.length) == 0) {
-            scene_import_unsupported(look->import, "%s: not drawn", geometry->what);
-            return;
-        }
+    const struct geometry *const geometry =
+        url.length > 1 && url.text[0] == '#'
+            ? find_geometry(look, (struct scene_collada_value){url.text + 1, url.length - 1})
+            : NULL;
+    if (geometry != NULL) {
+        scene_import_unsupported(look->import, "%s: not drawn", geometry->what);
     }
 }
 
@@ -146,7 +153,7 @@ static void look_at_nodes(const struct look *look, char *text)
         if (close == NULL) {
             return;
         }
-        is_physics = (is_physics || scene_collada_is_tag(tag, physics + 2)) &&
+        is_physics = (is_physics || (scene_collada_is_tag(tag, physics + 2) && close[-1] != '/')) &&
                      strncmp(tag, physics, strlen(physics)) != 0;
         if (!is_physics && scene_collada_is_tag(tag, "instance_geometry")) {
             look_at_instance(look, scene_collada_attribute(tag, close, "url"));

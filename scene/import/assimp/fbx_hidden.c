@@ -54,10 +54,13 @@ static struct graph open_graph(struct scene_import *import, char *bytes, size_t 
 {
     struct graph graph = {.import = import, .all = scene_fbx_read_objects(import, bytes, size)};
     const size_t count = graph.all.count < none ? graph.all.count : none - 1;
+    graph.all.count = count;
     graph.flags = scene_import_allocate(import, count, sizeof *graph.flags);
     graph.above = scene_import_allocate(import, count, sizeof *graph.above);
     for (uint32_t i = 0; i < count; i++) {
-        scene_hash_add(import, &graph.places, hash_of(graph.all.objects[i].id), i);
+        if (find(&graph, graph.all.objects[i].id) == none) { // where several have one id, the first is meant
+            scene_hash_add(import, &graph.places, hash_of(graph.all.objects[i].id), i);
+        }
         graph.flags[i] = graph.all.objects[i].is_hidden ? HIDDEN : 0;
         graph.above[i] = none;
     }
@@ -143,7 +146,7 @@ static unsigned char gather(struct graph *graph)
 {
     unsigned char gathered = 0;
     uint32_t *const path = scene_import_allocate(graph->import, graph->all.count, sizeof *path);
-    for (uint32_t i = 0; i < graph->places.count; i++) {
+    for (uint32_t i = 0; i < graph->all.count; i++) {
         inherit(graph, i, path);
         const bool is_seen = (graph->flags[i] & SHOWN) != 0 && (graph->flags[i] & DRAWN) != 0;
         gathered |= is_seen ? graph->flags[i] : 0;

@@ -254,7 +254,8 @@ static void read_text(struct scene_import *import, char *bytes, size_t size, str
     struct scene_text text = scene_text_open(import, bytes, size);
     struct scene_line line;
     struct scene_word word;
-    bool is_known = false; // the object whose lines these are is among all
+    bool is_known = false;                              // the object whose lines these are is among all
+    const bool is_converted = text.end != bytes + size; // keys are found in the file's own bytes
     while (scene_text_line(&text, false, &line)) {
         if (!scene_text_word(&line, &word) || word.start[word.length - 1] != ':') {
             continue;
@@ -265,7 +266,7 @@ static void read_text(struct scene_import *import, char *bytes, size_t size, str
             }
         } else if (scene_word_is(word, "C:")) {
             read_text_link(import, line, all);
-        } else if (scene_word_is(word, "KeyValueFloat:") && is_known) {
+        } else if (scene_word_is(word, "KeyValueFloat:") && is_known && !is_converted) {
             all->objects[all->count - 1].keys = (size_t)(line.cursor - bytes);
         } else {
             read_head(import, line, word, all, &is_known);

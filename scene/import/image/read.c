@@ -246,18 +246,24 @@ static const char *decode_ended(const unsigned char *bytes, size_t size, unsigne
     return problem;
 }
 
+// Return why a JPEG that no mark ends is not decoded. Without memory nobody knows whether it is whole.
+static const char *reason_of_cut(const char *problem)
+{
+    return problem != NULL && strcmp(problem, "outofmem") == 0 ? problem : "the JPEG ends too early";
+}
+
 // Decode a JPEG that no mark ends. It is whole if it does not matter what follows it.
 static const char *decode_endless(const unsigned char *bytes, size_t size, struct scene_image *image)
 {
-    static const char cut[] = "the JPEG ends too early";
     struct scene_image whole = *image, other = *image;
     while (size > 0 && bytes[size - 1] == 0xff) {
         size--; // the first half of a mark
     }
-    if (decode_ended(bytes, size, 0, &whole) != NULL) {
-        return cut;
+    const char *problem = decode_ended(bytes, size, 0, &whole);
+    if (problem != NULL) {
+        return reason_of_cut(problem);
     }
-    const char *const problem = decode_ended(bytes, size, 0xfe, &other);
+    problem = decode_ended(bytes, size, 0xfe, &other);
     const bool is_whole =
         problem == NULL && other.size == whole.size && memcmp(other.texels, whole.texels, whole.size) == 0;
     if (problem == NULL) {
@@ -265,7 +271,7 @@ static const char *decode_endless(const unsigned char *bytes, size_t size, struc
     }
     if (!is_whole) {
         free(whole.texels);
-        return cut;
+        return reason_of_cut(problem);
     }
     *image = whole;
     image->lacks_end = true;

@@ -483,6 +483,8 @@ static void test_words(void **state)
         {"w.amf", AMF("<!-- <edge -->"), NULL},
         {"w.dae", GEOMETRY("<brep/>", "", INSTANCE("c")), "boundary representations: not drawn"},
         {"w.dae", GEOMETRY("<brep/>", "", ""), NULL},
+        {"w.dae", GEOMETRY("<brep/><spline/>", "<library_physics_models/>", INSTANCE("c")),
+         "boundary representations: not drawn"},
         {"w.dae", GEOMETRY("<nurbs></nurbs>", "", INSTANCE("c")), "NURBS: not drawn"},
         {"w.dae", GEOMETRY("<convex_mesh convex_hull_of=\"#g\"/>", "", INSTANCE("c")),
          "convex hulls of meshes: not drawn"},
@@ -523,15 +525,20 @@ static void test_ase(void **state)
          "line 13: face 7 refers to vertex -1; the mesh has 3, counted from 0"},
         {plain, "4 0 0 2", "0 0 0 0",
          "line 22: face 4 refers to texture coordinate 2; the mesh has 2, counted from 0"},
-        {plain, "0 0 0 0\n*MESH_NUMTVFACES 0", "0 0 0 0",
-         "a mesh has 1 faces, of which 0 say their texture coordinates"},
-        {plain, "0 0 0 0", "0 0 0 0\n*MESH_NUMCVFACES 0", "a mesh has 1 faces, of which 0 say their colours"},
+        {"x *MESH_FACE 0: A: 0 B: 3 C: 2", "0 0 0 0", "0 0 0 0",
+         "line 13: face 0 refers to vertex 3; the mesh has 3, counted from 0"},
+        {plain, "1 0 0 0", "0 0 0 0", "a mesh has 1 faces, of which 0 say their texture coordinates"},
+        {plain, "0 0 0 0", "1 0 0 0", "a mesh has 1 faces, of which 0 say their colours"},
+        {"*MESH_NUMVERTEX 4", "0 0 0 0", "0 0 0 0", "line 13: a mesh says two numbers of its vertex list"},
+        {plain, "0 0 0 0\n*MESH_NUMTVFACES 2", "0 0 0 0",
+         "line 23: a mesh says two numbers of its texture coordinate list"},
         {plain, "0 0 0 0", "0 1 0 0", "line 30: face 0 refers to colour 1; the mesh has 1, counted from 0"},
     };
     for (size_t i = 0; i < 2 * sizeof cases / sizeof cases[0]; i++) {
         const char *const cause = cases[i / 2].cause;
+        const char *const name = i % 4 < 2 ? "a.ase" : "a.foo"; // known by its first words, too
         write_format(
-            "a.ase",
+            name,
             "*3DSMAX_ASCIIEXPORT 200\n*GEOMOBJECT {\n*NODE_NAME \"a\"\n*MESH {\n*MESH_NUMVERTEX 3\n"
             "*MESH_NUMFACES 1\n*MESH_VERTEX_LIST {\n*MESH_VERTEX 0 0 0 0\n*MESH_VERTEX 1 1 0 0\n"
             "*MESH_VERTEX 2 0 1 0\n}\n*MESH_FACE_LIST {\n%s\n}\n*MESH_NUMTVERTEX 2\n*MESH_TVERTLIST {\n"
@@ -543,10 +550,10 @@ static void test_ase(void **state)
                 ? ""
                 : "*GEOMOBJECT {\n*NODE_NAME \"b\"\n*MESH {\n*MESH_NUMVERTEX 9\n*MESH_NUMTVERTEX 9\n}\n}\n");
         if (cause != NULL) {
-            expect_refused("a.ase", cause);
+            expect_refused(name, cause);
             continue;
         }
-        struct scene_model *const model = load("a.ase");
+        struct scene_model *const model = load(name);
         assert_int_equal(model->triangles_drawn, 1);
         scene_model_free(model);
     }
