@@ -443,6 +443,16 @@ class Lessons(PageCase):
         self.wait("window.rhw?.views.floor?.numbers?.method === 2")
         self.script("location.hash = '#floor?method=correct'")
         self.wait("rhw.views.floor.numbers.method === 1")
+        self.open("#pixel?A=,,&B=1e200,0,-5")
+        self.wait("window.rhw?.views.pixel?.figure.dataset.drawn === 'still'")
+        self.assertNotEqual(self.corner(0), [0, 0, 0], "what an address leaves out is no 0")
+        self.open("#motion?k=0.5&P=0.5,0.5")
+        self.wait("window.rhw?.views.motion?.figure")
+        time.sleep(1)
+        self.assertEqual(self.script("return document.querySelector('#motion [name=k]').valueAsNumber"), 0.5, "the motion stays where it is shown")
+        for chapter in ("inverse", "model"):  # which draw nothing that the others could wait for
+            self.open(f"#{chapter}")
+            self.wait("Object.keys(window.rhw?.views ?? {}).length > 8")
 
     def test_a_taken_triangle_by_its_address(self):
         """One of another picture, far beyond what may be dragged here, is the same when its address is opened."""
@@ -457,6 +467,8 @@ class Lessons(PageCase):
         again = self.script("return rhw.views.weights.numbers")
         for name in "rstabc":
             self.assertAlmostEqual(again[name], n[name], delta=0.002)
+        self.script("location.hash = '#weights?A=0.1,0.2,-2'")  # of the chapter's own triangle
+        self.wait("!rhw.views.weights.scene.taken && rhw.views.weights.scene.corners[0].at[2] === -2")
 
     def test_contents_and_notes(self):
         self.node(".contents summary").click()

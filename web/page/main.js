@@ -136,14 +136,15 @@ let isFirst = true;
 
 // Once there is a picture, whichever chapter was asked for, the rest begins.
 function afterFirst(view, stage) {
-  if (isFirst && view?.figure) {
-    whenDrawn(view, () => {
-      if (isFirst) {
-        isFirst = false;
-        tryThreads(stage);
-        startOthers(stage);
-      }
-    });
+  const begin = () => {
+    if (isFirst) {
+      isFirst = false;
+      tryThreads(stage);
+      startOthers(stage);
+    }
+  };
+  if (isFirst) {
+    view?.scene ? whenDrawn(view, begin) : setTimeout(begin, 1000); // what draws nothing yet waits for no picture
   }
 }
 

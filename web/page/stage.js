@@ -66,7 +66,8 @@ export class Stage {
     const before = this.#module;
     try {
       this.#open((name) => module[`_stage_${name}`], () => module.HEAPU8.buffer, threads);
-      this.#check(this.#call('resize', this.#lines.get('resize').slice(1))); // all else is told anew for every picture
+      const [, ...size] = this.#lines.get('resize') ?? ['resize', 1, 1, 1]; // nothing has been drawn yet
+      this.#check(this.#call('resize', size)); // all else is told anew for every picture
       this.#modules.push(this.#module);
     } finally {
       this.#module = before;

@@ -13,8 +13,8 @@ export function parse(hash) {
 
 /** `count` finite numbers of a value, or null. */
 export function numbersIn(values, name, count) {
-  const list = (values.get(name) ?? '').split(',').map(Number);
-  return list.length === count && values.get(name) && list.every(Number.isFinite) ? list : null;
+  const list = (values.get(name) ?? '').split(',').map((part) => (part.trim() ? Number(part) : NaN));
+  return list.length === count && list.every((number) => Math.abs(number) < 1e30) ? list : null;
 }
 
 export const numbersText = (numbers) => numbers.map((number) => Number(number.toPrecision(6))).join(',');

@@ -78,13 +78,14 @@ export function takeable(section, view, { nearer = 0.1, changed = () => {} } = {
     view.update();
   };
   const giveCornersBack = () => scene.corners.forEach((corner, i) => Object.assign(corner, { at: own.ats[i], uv: own.uvs[i] }));
-  const note = takenNote(section, () => {
+  const giveBack = () => {
     giveCornersBack();
     Object.assign(scene.camera, own.camera);
     scene.limit = own.limit;
     use(false);
     view.pick(own.pixel);
-  });
+  };
+  const note = takenNote(section, giveBack);
   view.take = (triangle) => {
     own.pixel ??= view.pixel;
     const pixel = place(view, triangle);
@@ -97,9 +98,13 @@ export function takeable(section, view, { nearer = 0.1, changed = () => {} } = {
   view.restore = (values) => {
     const uvs = numbersIn(values, 'taken', 6);
     const ats = ['A', 'B', 'C'].map((name) => numbersIn(values, name, 3));
+    own.pixel ??= view.pixel;
+    if (!uvs && scene.taken && [...values.keys()].some((name) => 'ABC'.includes(name))) {
+      giveBack();
+    }
     if (uvs && ats.every(Boolean)) {
       scene.corners.forEach((corner, i) => Object.assign(corner, { at: ats[i], uv: uvs.slice(2 * i, 2 * i + 2) }));
-      if (distances(scene).some((w) => w > 0)) {
+      if (distances(scene).some((w) => w > 1e-30)) {
         makeRoom(scene, nearer);
         use(true);
       } else {

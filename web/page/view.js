@@ -108,9 +108,13 @@ export class View {
 
   // Moves a corner across the view, so that it stays under the pointer.
   #shift(corner, dx, dy) {
+    const high = sizeOf(this.figure)[1];
+    if (high === 0) {
+      return; // there is no picture to drag in
+    }
     const { right, up } = basis(this.scene.camera);
     const w = Math.abs(this.stageClip(corner.at)[3]);
-    const scale = (2 * Math.tan((this.scene.camera.yfov * Math.PI) / 360) * w) / sizeOf(this.figure)[1];
+    const scale = (2 * Math.tan((this.scene.camera.yfov * Math.PI) / 360) * w) / high;
     this.moveCorner(corner, add(add(corner.at, right, dx * scale), up, -dy * scale));
   }
 

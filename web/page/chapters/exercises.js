@@ -40,7 +40,7 @@ export const EXERCISES = [
       en: 'Make the naive side correct without touching its formula: move corners nearer or farther until the checkerboard no longer breaks at the line. What had to become equal?',
       zh: '不改公式，让“未校正”那边也画对：拉近或推远顶点，直到棋盘格在分界线处不再错开。什么必须变得相等？',
     },
-    met: (_, { ws }) => spread(ws) < SAME,
+    met: (_, { ws }) => Math.min(...ws) > 0 && spread(ws) < SAME,
     answer: (_, { ws }) => ({
       en: `All W: yours are ${ws.map(short).join(', ')}. Then 1/W is the same everywhere, and r, s, t are a, b, c. A triangle that is parallel to the screen needs no division.`,
       zh: `三个 W 相等：现在是 ${ws.map(short).join('、')}。这时 1/W 处处相同，r、s、t 就是 a、b、c。与屏幕平行的三角形不需要除法。`,
@@ -88,7 +88,7 @@ export const EXERCISES = [
       en: 'Make the naive side correct along one edge alone: give A and B the same distance, and C another one.',
       zh: '让“未校正”只在一条边上正确：使 A、B 一样远，而 C 不同。',
     },
-    met: (_, { ws: [a, b, c] }) => spread([a, b]) < SAME && spread([a, c]) > 0.1,
+    met: (_, { ws: [a, b, c] }) => Math.min(a, b) > 0 && spread([a, b]) < SAME && spread([a, c]) > 0.1,
     answer: (_, { ws: [a, , c] }) => ({
       en: `All along AB the distance W is ${short(a)}, so there the naive value is correct. It no longer is on the way to C, where W is ${short(c)}.`,
       zh: `AB 上 W 处处是 ${short(a)}，所以在那里“未校正”也正确；朝 C（W = ${short(c)}）走就偏了。`,

@@ -201,7 +201,7 @@ class Drawing {
 
   restore(values) {
     const [unit, screenAt] = numbersIn(values, 'taken', 2) ?? [1, SCREEN];
-    this.#measure(unit > 0 ? unit : 1);
+    this.#measure(unit > 1e-30 ? unit : 1);
     this.screenAt = clamp(screenAt, 0.01, SCREEN);
     this.ends.forEach((end, i) => {
       const [x, z] = numbersIn(values, 'AB'[i], 2) ?? end;

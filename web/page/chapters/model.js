@@ -12,7 +12,7 @@ import { cornersOf, Overlay } from '../overlay.js';
 import { centered, moved, panned, turned } from '../orbit.js';
 import { draggable, svg } from '../svg.js';
 import { chapterTerms } from '../tips.js';
-import { clamp } from '../vector.js';
+import { add, clamp } from '../vector.js';
 
 const SAMPLE = 'models/box.glb';
 const AGREEABLE = 40; // ms for a picture while it moves
@@ -131,29 +131,37 @@ class ModelView {
       Object.assign(this, { model: info, name });
       this.middle = info.frame.empty ? camera.target : info.frame.min.map((low, i) => (low + info.frame.max[i]) / 2);
       this.camera = centered(camera, this.middle, info.up);
+      this.far = Math.hypot(...add(this.camera.eye, this.camera.target, -1));
       this.#forget();
       this.#describe();
       this.#tell('');
       this.#warn(warnings);
     } catch (error) {
-      this.#tell(error.message);
+      if (turn === this.#opened) {
+        this.#tell(error.message);
+      }
     }
     this.draw();
   }
 
   /** Opens the model of a promised list of [path, File]. */
   async openFiles(list) {
-    let model;
+    let model, problem;
+    const turn = ++this.#opened;
     try {
       model = await modelOf(await list);
     } catch ({ message }) {
-      this.#tell({
+      problem = {
         en: `${message}: cannot be read. Drop the folder of the model, or all of its files.`,
         zh: `${message}：无法读取。请拖入模型所在的文件夹，或其全部文件。`,
-      });
-      return;
+      };
     }
-    if (model) {
+    if (turn !== this.#opened) {
+      return; // another was chosen meanwhile
+    }
+    if (problem) {
+      this.#tell(problem);
+    } else if (model) {
       await this.open(model.bytes, model.name, model.files);
     } else {
       this.#tell({ en: 'There is no file in this folder.', zh: '此文件夹中没有文件。' });
@@ -269,7 +277,9 @@ class ModelView {
   }
 
   zoom(factor) {
-    this.#change(moved(this.camera, factor));
+    const { eye, target } = this.camera;
+    const far = Math.hypot(...add(eye, target, -1));
+    this.#change(moved(this.camera, clamp(far * factor, this.far / 1000, this.far * 1000) / far));
   }
 
   /** The pixel at these parts of the picture's width and height. */
@@ -332,7 +342,7 @@ function listenForPinch(view) {
     fingers.set(event.pointerId, { x: event.clientX, y: event.clientY });
     const after = of();
     view.pan(after.x - before.x, after.y - before.y);
-    view.zoom(before.apart / Math.max(after.apart, 1));
+    view.zoom(Math.max(before.apart, 1) / Math.max(after.apart, 1));
   });
   for (const kind of ['pointerup', 'pointercancel']) {
     canvas.addEventListener(kind, (event) => fingers.delete(event.pointerId));
@@ -344,7 +354,7 @@ function listenForHands(view) {
   const { canvas } = view;
   const pinches = listenForPinch(view);
   let way = 0; // of the pointer since it went down
-  canvas.addEventListener('pointerdown', () => (way = 0));
+  canvas.addEventListener('pointerdown', ({ button }) => (way = pinches() || button !== 0 ? Infinity : 0));
   canvas.addEventListener('pointerup', (event) => {
     const box = canvas.getBoundingClientRect();
     if (way < CLICK && view.camera) {
@@ -358,7 +368,7 @@ function listenForHands(view) {
         event.shiftKey ? view.pan(dx, dy) : view.turn(dx, dy);
       }
     },
-    step: (dx, dy, deeper) => view.camera && (deeper ? view.zoom(1 - 0.1 * deeper) : view.turn(12 * dx, 12 * dy)),
+    step: (dx, dy, deeper) => view.camera && (deeper ? view.zoom(0.9 ** deeper) : view.turn(12 * dx, 12 * dy)),
     scrolls: true, // until there is a model, which page.css sees to
   });
   canvas.addEventListener('wheel', (event) => {

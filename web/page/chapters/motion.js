@@ -120,6 +120,7 @@ class Motion {
     this.said = section.querySelector('.said-of-motion');
     this.slider.addEventListener('input', () => {
       this.playing = false;
+      this.isSet = true;
       this.show();
       changed();
     });
@@ -129,7 +130,7 @@ class Motion {
       const seen = new IntersectionObserver((entries) => {
         if (entries.at(-1).isIntersecting) {
           seen.disconnect();
-          this.play();
+          this.isSet || this.play();
         }
       }, { threshold: 0.8 });
       seen.observe(flight.root);
