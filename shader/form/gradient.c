@@ -7,7 +7,7 @@
 
 enum {
     WORTH_A_JUMP = 12, // operations that are left out
-    MOST_PAIRS = 64, // gradients of further ones are computed unasked, so that time grows with the code alone
+    MOST_PAIRS = 64,   // further ones are not asked for, so that time grows with the code alone
     NOBODY = 0
 };
 
@@ -27,8 +27,8 @@ struct gradients {
     size_t room;
     uint32_t *waiting; // values with an owner that are not placed yet
     uint32_t waiting_count;
-    uint32_t
-        named[2 * MOST_PAIRS]; // BUFFERs of pairs in structure that is open, in the order in which they came
+    // BUFFERs of pairs in structure that is open, in the order in which they came.
+    uint32_t named[2 * MOST_PAIRS];
     uint32_t named_count;
     uint32_t marks[SHADER_MAX_DEPTH + 1]; // their number where each open structure began
     uint32_t depth;

@@ -47,8 +47,8 @@ struct shader_instruction {
     uint16_t resource;  // what LOAD, STORE and LENGTH access; SHADER_NO_RESOURCE: push constants
     // The node's. Structure has the instruction to jump to, and NEEDS_GRADIENT the sampler's resource.
     uint32_t immediate;
-    struct shader_operand_of result, a, b,
-        c; // where no lane is active behind an END, it goes to c.vector if that is not 0
+    // Where no lane is active behind an END, it goes to c.vector if that is not 0.
+    struct shader_operand_of result, a, b, c;
 };
 
 // Registers that every program has.

@@ -41,8 +41,8 @@ static inline void fetch_plain(const struct rhw_texture_data *texture, const i32
     i32x8 inside = i32x8_splat(-1);
     const i32x8 x = keep_inside(at[0], i32x8_splat(mip->width), &inside);
     const i32x8 y = keep_inside(at[1], i32x8_splat(mip->height), &inside);
-    // Groups come block by block: the texels of the row of blocks below are wanted next.
-    // Nothing is loaded where there are none: no pointer may stand there, but a number may.
+    // Groups come block by block: the texels of the row of blocks below are wanted next. Below the last row there are
+    // none, where no pointer may stand, but a number may.
     __builtin_prefetch((const void *)((uintptr_t)mip->texels + (size_t)(y[0] + RHW_BLOCK) * mip->row_pitch +
                                       (size_t)x[0] * texture->info->size));
     fetch_raw_texels(texture->info->size, mip, x, y, &raw);

@@ -13,10 +13,12 @@ static void test_jpeg_tables(void **state)
     for (int place = 0; place < 4; place++) {
         struct image_file file = image_file_of("\xff\xd8", 2);
         if (place == 2) {
-            image_file_put_bytes(&file, "\xff\xda\0\x08\x01\x01\0\0\x3f\0\x12\xff\0\xff\xd0\x34", 16); // a scan
+            image_file_put_bytes(&file, "\xff\xda\0\x08\x01\x01\0\0\x3f\0\x12\xff\0\xff\xd0\x34",
+                                 16); // a scan
         }
         if (place == 3) {
-            image_file_put_bytes(&file, "\xff\xe0\0\x06\xff\xc4\0\0nothing", 15); // a table within a comment is none
+            image_file_put_bytes(&file, "\xff\xe0\0\x06\xff\xc4\0\0nothing",
+                                 15); // a table within a comment is none
         }
         image_file_put_bytes(&file, "\xff\xff\xc4\x01", 4);
         image_file_put(&file, place == 1 ? 0x40 : 0x13, 1);
