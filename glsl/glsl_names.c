@@ -21,6 +21,7 @@ enum {
     OP_VARIABLE = 59,
     OP_DECORATE = 71,
     OP_MEMBER_DECORATE = 72,
+    BLOCK = 2,
     ARRAY_STRIDE = 6,
     MATRIX_STRIDE = 7,
     LOCATION = 30,
@@ -44,6 +45,7 @@ static uint32_t words_of(uint32_t opcode)
     switch (opcode) {
     case OP_TYPE_STRUCT: return 2;
     case OP_NAME:
+    case OP_DECORATE:
     case OP_TYPE_FLOAT: return 3;
     case OP_MEMBER_DECORATE: return 5;
     default: return 4;
@@ -114,14 +116,56 @@ static bool is_of(enum glsl_thing thing, uint32_t storage)
     }
 }
 
-// Return a literal of the decoration of an id.
-static uint32_t decoration_of(const struct glsl_code *code, uint32_t id, uint32_t decoration)
+static const uint32_t *find_decoration(const struct glsl_code *code, uint32_t id, uint32_t decoration)
 {
     const uint32_t *words = next(code, OP_DECORATE, NULL);
     while (words != NULL && (words[1] != id || words[2] != decoration)) {
         words = next(code, OP_DECORATE, words);
     }
-    return words != NULL ? words[3] : 0;
+    return words;
+}
+
+static bool has_literal(const uint32_t *decoration)
+{
+    return decoration[0] >> 16 > 3;
+}
+
+// Return a literal of the decoration of an id.
+static uint32_t decoration_of(const struct glsl_code *code, uint32_t id, uint32_t decoration)
+{
+    const uint32_t *const words = find_decoration(code, id, decoration);
+    return words != NULL && has_literal(words) ? words[3] : 0;
+}
+
+// Return the name by which other stages know a variable: of a block that of its type.
+static const char *name_of_variable(const struct glsl_code *code, const uint32_t *variable)
+{
+    const uint32_t *const pointer = find(code, OP_TYPE_POINTER, 1, variable[1]);
+    const bool is_block = variable[3] == STORAGE_UNIFORM || variable[3] == STORAGE_BUFFER ||
+                          (pointer != NULL && find_decoration(code, pointer[3], BLOCK) != NULL);
+    return name_of(code, pointer != NULL && is_block ? pointer[3] : variable[2]);
+}
+
+// Return whether a function may use an id: a literal that is the same number counts, too.
+static bool may_use(const struct glsl_code *code, uint32_t id)
+{
+    const size_t count = code->size / sizeof(uint32_t);
+    bool is_function = false;
+    for (size_t place = HEADER_WORDS; place < count;) {
+        const uint32_t *const words = code->words + place;
+        const uint32_t length = words[0] >> 16;
+        if (length == 0 || length > count - place) {
+            return true;
+        }
+        is_function = is_function || (words[0] & 0xffff) == OP_FUNCTION;
+        for (uint32_t i = 1; is_function && i < length; i++) {
+            if (words[i] == id) {
+                return true;
+            }
+        }
+        place += length;
+    }
+    return false;
 }
 
 // Return the name of what a decoration is about, or NULL where that is another thing.
@@ -134,15 +178,12 @@ static const char *name_of_thing(const struct glsl_code *code, enum glsl_thing t
                                                    : NULL;
     }
     const uint32_t *const variable = find(code, OP_VARIABLE, 2, decoration[1]);
-    if (decoration[2] != (thing == GLSL_RESOURCE ? BINDING : LOCATION) || variable == NULL ||
-        !is_of(thing, variable[3]) ||
+    if (decoration[2] != (thing == GLSL_RESOURCE ? BINDING : LOCATION) || !has_literal(decoration) ||
+        variable == NULL || !is_of(thing, variable[3]) ||
         (thing == GLSL_RESOURCE && decoration_of(code, decoration[1], DESCRIPTOR_SET) != 0)) {
         return NULL;
     }
-    const uint32_t *const pointer = variable[3] == STORAGE_UNIFORM || variable[3] == STORAGE_BUFFER
-                                        ? find(code, OP_TYPE_POINTER, 1, variable[1])
-                                        : NULL;
-    return name_of(code, pointer != NULL ? pointer[3] : decoration[1]);
+    return name_of_variable(code, variable);
 }
 
 static uint32_t opcode_of(enum glsl_thing thing)
@@ -191,7 +232,7 @@ static const char *match_inputs(const struct glsl_code *vertex, const struct gls
          words = next(fragment, OP_DECORATE, words)) {
         const char *const name = name_of_thing(fragment, GLSL_INPUT, words);
         const uint32_t *const output = name != NULL ? find_named(vertex, GLSL_OUTPUT, name) : NULL;
-        if (name != NULL && output == NULL) {
+        if (name != NULL && output == NULL && may_use(fragment, words[1])) {
             return name;
         }
         if (output != NULL) {

@@ -12,8 +12,8 @@ extern "C" {
 
 /// What has a place.
 enum glsl_thing {
-    GLSL_INPUT,    ///< the place is a location
-    GLSL_OUTPUT,   ///< a location
+    GLSL_INPUT,    ///< the place is a location; a block has the name of its type
+    GLSL_OUTPUT,   ///< as GLSL_INPUT
     GLSL_RESOURCE, ///< a binding of set 0; a block has the name of its type
     GLSL_UNIFORM,  ///< bytes from the begin of gl_DefaultUniformBlock
 };

@@ -225,6 +225,36 @@ refuse 1 "blue.frag: the fragment shader reads 'blue', which the vertex shader d
 sed 's/uniform float iTime/uniform int iTime/' loose.frag >whole.frag
 refuse 1 "whole.frag: uniform 'iTime' is of another type in the other shader" shader loose.vert whole.frag --run -o a.png
 
+# Blocks without locations go by the names of their types, whatever stands before them and what they are called. What is
+# declared and not read need not be written.
+cat >blocks.vert <<'GLSL'
+out Colors { float red; vec2 rest[2]; } given;
+out Shade { float factor; };
+out float green;
+void main()
+{
+    gl_Position = vec4(gl_VertexIndex == 1 ? 3 : -1, gl_VertexIndex == 2 ? 3 : -1, 0, 1);
+    given.red = 0.25;
+    given.rest[0] = vec2(0.0, 0.25);
+    given.rest[1] = vec2(0.5, 1.0);
+    green = 0.5;
+    factor = 2.0;
+}
+GLSL
+cat >blocks.frag <<'GLSL'
+in vec4 unread;
+in float green;
+in Shade { float factor; };
+in Colors { float red; vec2 rest[2]; } taken;
+out vec4 color;
+void main() { color = vec4(taken.red * 4.0, green * factor, (taken.rest[0].y + taken.rest[1].x) * factor - 0.5, 1.0); }
+GLSL
+succeed shader blocks.vert blocks.frag --run --size 1 -o blocks.png
+succeed compare blocks.png want.ppm
+sed 's/in Shade/in Light/' blocks.frag >light.frag
+refuse 1 "light.frag: the fragment shader reads 'Light', which the vertex shader does not write" \
+    shader blocks.vert light.frag --relaxed
+
 # mainImage, as ShaderToy has it: y points up.
 cat >toy.frag <<'GLSL'
 /* void main() */ uniform float iTime;
