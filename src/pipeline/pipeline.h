@@ -33,6 +33,10 @@ struct rhw_pipeline_data {
     struct rhw_fetch fetches[RHW_MAX_ATTRIBUTES];
     int varying_components;     // number of components of all varyings together
     enum rhw_sampling sampling; // the most that a varying asks for
+    // Components that are taken at centroids, and whether others, but flat ones, are taken at centres.
+    int centroid_count;
+    uint8_t centroid_component[RHW_MAX_VARYING_COMPONENTS];
+    bool any_at_center;
     // What is drawn: `topology` and the polygon mode in one.
     enum rhw_primitive {
         RHW_PRIMITIVE_TRIANGLES,

@@ -108,7 +108,11 @@ static void lay_out_varyings(struct rhw_pipeline_data *data)
         data->any_noperspective |= varying->qualifier == RHW_NOPERSPECTIVE;
         data->any_derivatives |= varying->derivatives;
         data->sampling = varying->sampling > data->sampling ? varying->sampling : data->sampling;
+        data->any_at_center |= varying->sampling == RHW_SAMPLING_CENTER && varying->qualifier != RHW_FLAT;
         for (int component = 0; component < varying->components; component++) {
+            if (varying->sampling == RHW_SAMPLING_CENTROID) {
+                data->centroid_component[data->centroid_count++] = (uint8_t)next;
+            }
             data->component_qualifier[next] = (uint8_t)varying->qualifier;
             data->component_derivatives[next] = varying->derivatives;
             if (varying->qualifier == RHW_FLAT) {

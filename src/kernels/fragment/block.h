@@ -11,6 +11,8 @@ struct block_samples {
     const f32x8 (*depth)[RHW_BLOCK]; // depths of the rows of each sample, where depth is tested late
     int only;                        // the one sample that the fragments stand for; −1: all in `mask`
     float position[2];               // place of `only` in its pixel
+    // The block at the centres of its pixels, where some values are taken there and others at centroids. Else NULL.
+    const struct block *center;
 };
 
 // A block of the tile, and the fragments of a triangle in it.

@@ -97,6 +97,13 @@ static void test_samples(struct tile_work *work, const struct triangle_work *tri
     }
 }
 
+// Return true if fragments that take varyings at centroids have something that is taken at their pixels' centres.
+static bool takes_centers(const struct rhw_pipeline_data *pipeline)
+{
+    const uint32_t placed = RHW_USE_COORD | RHW_USE_BARYCENTRIC;
+    return pipeline->any_at_center || pipeline->def.program.uses & placed;
+}
+
 // Queue the fragments of `pixels`, which take their values at sample `at`. If it is −1, they take them at the centre.
 static void queue_samples(struct tile_work *work, struct triangle_work *triangle,
                           const struct sampled_block *from, uint64_t pixels, int at)
@@ -104,7 +111,7 @@ static void queue_samples(struct tile_work *work, struct triangle_work *triangle
     const struct rhw_sample_pattern *const pattern = work->target->pattern;
     const bool per_sample = work->plan.sampling == RHW_SAMPLING_SAMPLE;
     f32x8 z[RHW_BLOCK];
-    struct block block;
+    struct block block, center;
     block_set(&block, work, triangle, from, at);
     struct block_samples samples = {.mask = from->mask, .only = per_sample ? at : -1};
     if (pixels == 0) {
@@ -113,6 +120,10 @@ static void queue_samples(struct tile_work *work, struct triangle_work *triangle
     if (at >= 0) {
         samples.position[0] = (float)pattern->x_0_8[at] / RHW_SUBPIXEL;
         samples.position[1] = (float)pattern->y_0_8[at] / RHW_SUBPIXEL;
+    }
+    if (at >= 0 && !per_sample && takes_centers(work->pipeline)) {
+        block_set(&center, work, triangle, from, -1);
+        samples.center = &center;
     }
     samples.depth = work->plan.depth_mode >= RHW_DEPTH_LATE ? from->z : NULL;
     block.samples = &samples;

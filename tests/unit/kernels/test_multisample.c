@@ -341,6 +341,74 @@ static void test_where_values_are_taken(void **state)
     }
 }
 
+static void twice_vertex(struct rhw_vertex *groups, int count)
+{
+    rig_vertex_pass(groups, count);
+    for (int g = 0; g < count; g++) {
+        for (int c = 0; c < 4; c++) {
+            groups[g].varying[4 + c] = groups[g].varying[c];
+        }
+    }
+}
+
+// Places at the centroid, at the centre, by an offset from either, and by coordinates.
+static void twice_fragment(struct rhw_fragment *groups, int count)
+{
+    static const float half[2] = {0.5f, -0.25f};
+    const rhw_float offset[2] = {rhw_splat(half[0]), rhw_splat(half[1])};
+    for (int g = 0; g < count; g++) {
+        struct rhw_fragment *const f = &groups[g];
+        f->color[0][0] = f->varying[0];
+        f->color[0][1] = f->varying[4];
+        f->color[0][2] = rhw_interpolate_at(f, 4, 7, offset);
+        f->color[0][3] = f->coord[3];
+    }
+}
+
+// Centroids of one varying leave another one, its derivatives and coordinates at the centre. In perspective 1/w is a
+// ramp of 0.01 a pixel from 0.2 on, and a value the place over w.
+static void test_centroids_beside_centers(void **state)
+{
+    (void)state;
+    for (int i = 0; i < COUNTS * 2; i++) {
+        struct rig rig;
+        open_samples(&rig, counts[i / 2], i % 2 ? RHW_PATHS_GENERAL : RHW_PATHS_ALL);
+        rig_set_program(&rig, twice_vertex, twice_fragment);
+        rig.pipeline.program.uses = RHW_USE_COORD;
+        rig.pipeline.program.varyings[0].sampling = RHW_SAMPLING_CENTROID;
+        rig.pipeline.program.varyings[1] = (struct rhw_varying){.components = 4, .derivatives = true};
+        rig.pipeline.program.varying_count = 2;
+        const float corners[3][2] = {{20.5f, -20}, {20.5f, 90}, {70, 35}};
+        struct rig_vertex vertices[3];
+        for (int k = 0; k < 3; k++) {
+            const float x = corners[k][0], w = 1 / (0.2f + 0.01f * x);
+            rig_place(&rig, x, corners[k][1], 0.5f, w, vertices[k].position);
+            memcpy(vertices[k].value, (const float[4]){x * w, 0, 0, w}, sizeof vertices[k].value);
+        }
+        rig_draw_once(&rig, vertices, 3);
+        float first = 0; // of the samples that lie right of the edge in pixel 20
+        for (int s = counts[i / 2] - 1; s >= 0; s--) {
+            float at[2];
+            rhw_sample_position(counts[i / 2], s, at);
+            first = at[0] >= 0.5f ? at[0] : first;
+        }
+        for (int s = 0; s < counts[i / 2]; s++) {
+            const float *const row = read_color(&rig, s)[35 * SIZE];
+            float at[2];
+            rhw_sample_position(counts[i / 2], s, at);
+            for (int x = at[0] < 0.5f ? 21 : 20; x < 60; x++) {
+                const float place = (float)x + (x == 20 ? first : 0.5f), center = (float)x + 0.5f;
+                const float *const pixel = row + 4 * (ptrdiff_t)x;
+                assert_true(fabsf(pixel[0] - place / (0.2f + 0.01f * place)) < 1e-4f);
+                assert_true(fabsf(pixel[1] - center / (0.2f + 0.01f * center)) < 1e-4f);
+                assert_true(fabsf(pixel[2] - (center + 0.5f) / (0.205f + 0.01f * center)) < 1e-3f);
+                assert_true(fabsf(pixel[3] - (0.2f + 0.01f * center)) < 1e-6f);
+            }
+        }
+        rig_close(&rig);
+    }
+}
+
 // What hides samples of a fragment, drawn before it or after, does not move its centroid: in pixel 30 the ramp covers
 // every sample, and those left of the middle are seen.
 static void test_centroids_of_what_is_half_hidden(void **state)
@@ -660,6 +728,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_resolve_modes),
     cmocka_unit_test(test_loading),
     cmocka_unit_test(test_where_values_are_taken),
+    cmocka_unit_test(test_centroids_beside_centers),
     cmocka_unit_test(test_centroids_of_what_is_half_hidden),
     cmocka_unit_test(test_sample_inputs),
     cmocka_unit_test(test_sample_masks),

@@ -238,7 +238,8 @@ static void test_samples_look_at_other_places(void **state)
     close_rig(&rig, program);
 }
 
-// Where a triangle covers a part of a pixel, values at its centroid are those of one of the samples.
+// Where a triangle covers a part of a pixel, values at its centroid are those of one of the samples, and offsets go from
+// the centre. The constant tells how much of the pixel is covered.
 static void test_centroids_lie_within_the_triangle(void **state)
 {
     (void)state;
@@ -252,10 +253,18 @@ static void test_centroids_lie_within_the_triangle(void **state)
     make_places(&rig, slope, vertices);
     draw(&rig, vertices, sizeof vertices, &frame);
     float pixels[PIXELS][4];
+    float offsets[PIXELS][4], others[PIXELS][4];
     read_target(&rig, 2, pixels);
+    read_target(&rig, 0, offsets);
+    read_target(&rig, 3, others);
     int moved = 0;
     for (int p = 0; p < PIXELS; p++) {
+        static const float from_center[4] = {0.25f, -0.5f, -0.25f, 0.5f};
+        const float covered = others[p][0] / vertices[0].value[0];
         assert_true(fabsf(pixels[p][0] - pixels[p][2]) < 1e-4f && fabsf(pixels[p][1] - pixels[p][3]) < 1e-4f);
+        for (int c = 0; c < 4; c++) {
+            assert_true(fabsf(offsets[p][c] - covered * from_center[c]) < 1e-4f);
+        }
         moved += fabsf(pixels[p][0]) > 0.01f;
     }
     assert_in_range(moved, 4, 40);
