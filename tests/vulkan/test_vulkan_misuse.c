@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Passes and pipelines that do not agree, which Vulkan forbids and other drivers draw.
+// Passes and pipelines that do not agree, which Vulkan forbids and other drivers draw. Each is told by a line.
+#include <fcntl.h>
+#include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
 
 #include "quad_vert.h"
 #include "shade_frag.h"
@@ -19,7 +23,41 @@ struct misuse {
     VkAttachmentReference2 references[3];
     uint32_t count;
     bool clears; // instead of drawing
+    int error;   // descriptor of stderr, in whose place a file stands
 };
+
+static const char log_path[] = "test_vulkan_misuse.log";
+
+// Let the driver write what it tells to a file.
+static void begin_log(struct misuse *m)
+{
+    const int file = open(log_path, O_RDWR | O_CREAT | O_TRUNC, 0600);
+    assert_true(file >= 0 && setenv("RHW_VULKAN_LOG", "1", 1) == 0);
+    m->error = dup(STDERR_FILENO);
+    assert_true(m->error >= 0 && dup2(file, STDERR_FILENO) >= 0);
+    close(file);
+}
+
+// Read what the driver has told so far.
+static void read_log(char *text, size_t size)
+{
+    FILE *const file = fopen(log_path, "r");
+    assert_non_null(file);
+    text[fread(text, 1, size - 1, file)] = 0;
+    fclose(file);
+}
+
+// Want a line that has this part.
+static void end_misuse(struct misuse *m, const char *part)
+{
+    char text[4096];
+    rig_close(&m->rig);
+    assert_true(dup2(m->error, STDERR_FILENO) >= 0 && unsetenv("RHW_VULKAN_LOG") == 0);
+    close(m->error);
+    read_log(text, sizeof text);
+    remove(log_path);
+    assert_non_null(strstr(text, part));
+}
 
 static void begin_misuse(struct misuse *m)
 {
@@ -28,6 +66,7 @@ static void begin_misuse(struct misuse *m)
         skip(); // the layer tells the misuse
     }
     rig_open(&m->rig);
+    begin_log(m);
     m->picture = (struct picture){.rig = &m->rig, .sample_count = VK_SAMPLE_COUNT_1_BIT};
     picture_state(&m->state, &m->picture, rig_shader(&m->rig, quad_vert, sizeof quad_vert),
                   rig_shader(&m->rig, shade_frag, sizeof shade_frag), rig_layout(&m->rig, NULL, 0, 36));
@@ -132,7 +171,7 @@ static void a_pass_is_as_large_as_its_attachments(void **state)
         const VkRenderPass pass = create_pass(&m, 1);
         draw(&m, pass, picture_pipeline(&m.picture, &m.state, pass, 0), 3 * PASS_SIDE, read);
         expect_colors(&read[0], green);
-        rig_close(&m.rig);
+        end_misuse(&m, clears ? "a clear of attachments is cut" : "is cut to an attachment");
     }
 }
 
@@ -148,7 +187,7 @@ static void an_image_is_attached_once(void **state)
     const VkRenderPass pass = create_pass(&m, 2);
     draw(&m, pass, picture_pipeline(&m.picture, &m.state, pass, 0), PASS_SIDE, read);
     expect_colors(&read[0], green);
-    rig_close(&m.rig);
+    end_misuse(&m, "another one has the same texels");
 }
 
 // Draw with one pipeline into passes of more and of fewer colours than it is made for, in turns.
@@ -181,7 +220,7 @@ static void a_pipeline_draws_into_the_colors_that_are_there(void **state)
         draw(&m, two, pipeline, PASS_SIDE, read);
         expect_colors(&read[0], green);
     }
-    rig_close(&m.rig);
+    end_misuse(&m, "into other attachments");
 }
 
 // Return what colour a pipeline with a test of depth that passes draws where the pass has depth in a layout, or none if
@@ -203,7 +242,7 @@ static uint32_t draw_with_depth(VkImageLayout layout, VkImageLayout drawn)
     const uint32_t color = *(const uint32_t *)read[0].bytes;
     const float depth = m.count > 1 ? *(const float *)read[1].bytes : 0;
     assert_true(depth == 0); // new memory, which nothing was to write
-    rig_close(&m.rig);
+    end_misuse(&m, "into other attachments");
     return color;
 }
 
@@ -215,11 +254,60 @@ static void a_pipeline_writes_no_depth_that_is_not_to_be_written(void **state)
     assert_int_equal(draw_with_depth(written, VK_IMAGE_LAYOUT_DEPTH_STENCIL_READ_ONLY_OPTIMAL), green);
 }
 
+// Commands that have nothing to do, for what they need is not there.
+static void what_is_left_out_is_told(void **state)
+{
+    (void)state;
+    struct misuse m;
+    begin_misuse(&m);
+    add_color(&m);
+    const struct rig *const rig = &m.rig;
+    const VkRenderPass pass = create_pass(&m, 1);
+    const struct rig_buffer small = rig_buffer(&m.rig, 16, NULL);
+    const VkRenderPassBeginInfo begin = {.sType = VK_STRUCTURE_TYPE_RENDER_PASS_BEGIN_INFO,
+                                         .renderPass = pass,
+                                         .framebuffer =
+                                             rig_framebuffer(&m.rig, pass, &m.images[0].view, 1, PASS_SIDE),
+                                         .renderArea = {.extent = {PASS_SIDE, PASS_SIDE}}};
+    const VkBufferCopy region = {.srcOffset = 8, .size = 16};
+    const VkBufferImageCopy texels = {.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1},
+                                      .imageExtent = {PASS_SIDE, PASS_SIDE, 1}};
+    vkCmdCopyBuffer(rig->commands, small.buffer, small.buffer, 1, &region);
+    vkCmdCopyBufferToImage(rig->commands, small.buffer, m.images[0].image, VK_IMAGE_LAYOUT_GENERAL, 1,
+                           &texels);
+    vkCmdDispatch(rig->commands, 1, 1, 1);
+    vkCmdDispatchIndirect(rig->commands, small.buffer, 8);
+    vkCmdDraw(rig->commands, 3, 1, 0, 0);
+    vkCmdBeginRenderPass(rig->commands, &begin, VK_SUBPASS_CONTENTS_INLINE);
+    vkCmdDraw(rig->commands, 3, 1, 0, 0);
+    vkCmdBindPipeline(rig->commands, VK_PIPELINE_BIND_POINT_GRAPHICS,
+                      picture_pipeline(&m.picture, &m.state, pass, 0));
+    vkCmdDrawIndexed(rig->commands, 3, 1, 0, 0, 0);
+    vkCmdDrawIndirect(rig->commands, small.buffer, 8, 1, 0);
+    vkCmdEndRenderPass(rig->commands);
+    rig_run(&m.rig);
+    static const char *const parts[] = {"vkCmdCopyBuffer: 8 bytes of 16 lie within the buffers",
+                                        "outside of its buffer",
+                                        "a dispatch is left out: no pipeline is bound",
+                                        "an indirect dispatch at 8 is left out",
+                                        "a draw is left out: no render pass has begun",
+                                        "a draw is left out: no pipeline is bound",
+                                        "all indices are zeros: no buffer is bound",
+                                        "an indirect draw at 8 is left out"};
+    char text[4096];
+    read_log(text, sizeof text);
+    for (size_t i = 0; i < sizeof parts / sizeof *parts; i++) {
+        assert_non_null(strstr(text, parts[i]));
+    }
+    end_misuse(&m, parts[0]);
+}
+
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(a_pass_is_as_large_as_its_attachments),
     cmocka_unit_test(an_image_is_attached_once),
     cmocka_unit_test(a_pipeline_draws_into_the_colors_that_are_there),
     cmocka_unit_test(a_pipeline_writes_no_depth_that_is_not_to_be_written),
+    cmocka_unit_test(what_is_left_out_is_told),
 };
 
 const struct unit_tests test_vulkan_misuse = UNIT_TESTS(tests, NULL, NULL);

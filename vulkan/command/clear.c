@@ -134,11 +134,20 @@ static void replay_attachment(struct vulkan_replay *replay, const struct vulkan_
     const struct attachment_clear *const one = (const struct attachment_clear *)command;
     struct vulkan_pass_state *const pass = &replay->pass;
     struct rhw_clear clear = {0};
-    if (!pass->render_pass || !set_clear(pass, &one->attachment, &clear) || !vulkan_pass_open(replay, 0)) {
+    if (!pass->render_pass) {
+        vulkan_log("attachments are not cleared: no render pass has begun");
+        return;
+    }
+    if (!set_clear(pass, &one->attachment, &clear) || !vulkan_pass_open(replay, 0)) {
         return;
     }
     const struct rhw_rect rect = within(&one->rect.rect, &pass->drawn);
     const int64_t layers = pass->drawn_layers - (int64_t)one->rect.baseArrayLayer;
+    if (rect.width != (int64_t)one->rect.rect.extent.width || one->rect.layerCount > layers ||
+        rect.height != (int64_t)one->rect.rect.extent.height) {
+        vulkan_log("a clear of attachments is cut to %d x %d in %lld layers", rect.width, rect.height,
+                   (long long)layers);
+    }
     clear.rects = &rect;
     clear.rect_count = 1;
     clear.layer = (int)one->rect.baseArrayLayer;

@@ -24,6 +24,15 @@ static VkDeviceSize least(VkDeviceSize a, VkDeviceSize b)
     return a < b ? a : b;
 }
 
+// Tell if buffers do not have all of `asked` bytes.
+static void tell_cut(const char *what, VkDeviceSize size, VkDeviceSize asked)
+{
+    if (size < asked) {
+        vulkan_log("%s: %llu bytes of %llu lie within the buffers", what, (unsigned long long)size,
+                   (unsigned long long)asked);
+    }
+}
+
 // Bytes that one of the buffers does not have are not copied.
 VKAPI_ATTR void VKAPI_CALL vkCmdCopyBuffer(VkCommandBuffer buffer, VkBuffer from, VkBuffer to, uint32_t count,
                                            const VkBufferCopy *regions)
@@ -35,6 +44,7 @@ VKAPI_ATTR void VKAPI_CALL vkCmdCopyBuffer(VkCommandBuffer buffer, VkBuffer from
             command->to = to->bytes + regions[i].dstOffset;
             command->size = (size_t)least(vulkan_buffer_range(from, regions[i].srcOffset, regions[i].size),
                                           vulkan_buffer_range(to, regions[i].dstOffset, regions[i].size));
+            tell_cut("vkCmdCopyBuffer", command->size, regions[i].size);
         }
     }
 }
@@ -49,6 +59,7 @@ VKAPI_ATTR void VKAPI_CALL vkCmdUpdateBuffer(VkCommandBuffer buffer, VkBuffer to
         command->from = (const unsigned char *)(command + 1);
         command->to = to->bytes + offset;
         command->size = (size_t)vulkan_buffer_range(to, offset, size);
+        tell_cut("vkCmdUpdateBuffer", command->size, size);
     }
 }
 
@@ -76,6 +87,7 @@ VKAPI_ATTR void VKAPI_CALL vkCmdFillBuffer(VkCommandBuffer buffer, VkBuffer to, 
     if (command) {
         command->to = to->bytes + offset;
         command->words = (size_t)vulkan_buffer_range(to, offset, size) / sizeof word;
+        tell_cut("vkCmdFillBuffer", command->words * sizeof word, size == VK_WHOLE_SIZE ? 0 : size);
         command->word = word;
     }
 }

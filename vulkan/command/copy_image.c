@@ -37,7 +37,7 @@ static struct rhw_texture_region image_region(const struct buffer_copy *copy)
 }
 
 // Return whether a region lies within its image and its buffer, so that nothing else is read or written.
-static bool is_within(const struct buffer_copy *copy)
+static bool is_within(const struct buffer_copy *copy, const char *what)
 {
     const VkBufferImageCopy *const region = &copy->region;
     const struct vulkan_rows rows = buffer_rows(copy);
@@ -50,15 +50,21 @@ static bool is_within(const struct buffer_copy *copy)
                                          (units.height - 1) * rows.row_pitch + units.width * bytes;
     // Slices that stand this far apart are no product that goes beyond 64 bits.
     const bool is_near = units.depth <= 1 || rows.slice_pitch <= copy->size;
-    return is_near && region->bufferOffset <= copy->size && needs <= copy->size - region->bufferOffset &&
-           vulkan_region_is_within(copy->image, &region->imageSubresource, region->imageOffset,
-                                   region->imageExtent);
+    const bool is_in_buffer =
+        is_near && region->bufferOffset <= copy->size && needs <= copy->size - region->bufferOffset;
+    const bool is_in_image = vulkan_region_is_within(copy->image, &region->imageSubresource,
+                                                     region->imageOffset, region->imageExtent);
+    if (!is_in_buffer || !is_in_image) {
+        vulkan_log("%s: a region is left out, which reaches outside of its %s", what,
+                   is_in_buffer ? "image" : "buffer");
+    }
+    return is_in_buffer && is_in_image;
 }
 
 static void replay_write(struct vulkan_replay *replay, const struct vulkan_command *command)
 {
     const struct buffer_copy *const copy = (const struct buffer_copy *)command;
-    if (!is_within(copy)) {
+    if (!is_within(copy, "vkCmdCopyBufferToImage")) {
         return;
     }
     const struct vulkan_rows from = buffer_rows(copy);
@@ -82,7 +88,7 @@ static void replay_write(struct vulkan_replay *replay, const struct vulkan_comma
 static void replay_read(struct vulkan_replay *replay, const struct vulkan_command *command)
 {
     const struct buffer_copy *const copy = (const struct buffer_copy *)command;
-    if (!is_within(copy)) {
+    if (!is_within(copy, "vkCmdCopyImageToBuffer")) {
         return;
     }
     const struct vulkan_rows to = buffer_rows(copy);
@@ -162,6 +168,7 @@ static void copy_blocks(struct vulkan_replay *replay, const struct image_copy *c
         !vulkan_region_is_within(copy->to, &region->dstSubresource, region->dstOffset, written) ||
         units.depth > slices_from(copy->to, &region->dstSubresource) ||
         rhw_format_block_bytes(copy->to->format) != units.bytes) {
+        vulkan_log("vkCmdCopyImage: a region is left out, which does not fit into both images");
         return;
     }
     vulkan_rows_copy(vulkan_rows_of(copy->to, &region->dstSubresource, region->dstOffset),

@@ -12,7 +12,11 @@ static void dispatch_bound(struct vulkan_replay *replay, const uint32_t base[3],
 {
     const struct vulkan_bound_point *const point = &replay->bound.compute;
     struct rhw_shader_frame frame = {.samples = 0};
-    if (!point->pipeline || !vulkan_shader_input_sets(replay, point, point->pipeline->used_sets, &frame) ||
+    if (!point->pipeline) {
+        vulkan_log("a dispatch is left out: no pipeline is bound");
+        return;
+    }
+    if (!vulkan_shader_input_sets(replay, point, point->pipeline->used_sets, &frame) ||
         !vulkan_shader_input_push(replay, point->pipeline->push_size, &frame)) {
         return;
     }
@@ -69,6 +73,9 @@ static void replay_dispatch_indirect(struct vulkan_replay *replay, const struct 
     if (record->offset <= room && sizeof counts <= room - record->offset) {
         memcpy(counts, record->buffer->bytes + record->offset, sizeof counts);
         dispatch(replay, zero, counts);
+    } else {
+        vulkan_log("an indirect dispatch at %llu is left out: its buffer has %llu bytes",
+                   (unsigned long long)record->offset, (unsigned long long)room);
     }
 }
 

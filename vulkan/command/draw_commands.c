@@ -20,6 +20,7 @@ static bool create_pipeline(struct vulkan_replay *replay, VkPipeline pipeline, u
     vulkan_pipeline_definition(pipeline, view, &def);
     if (!fits) {
         vulkan_targets_adapt(&replay->pass.targets, &def);
+        vulkan_log("a pipeline draws into other attachments than those that it was created for");
     }
     const enum rhw_result result = rhw_pipeline_create(replay->context, &def, &variant->pipeline);
     variant->is_adapted = !fits;
@@ -39,7 +40,8 @@ static const rhw_pipeline *find_pipeline(struct vulkan_replay *replay, VkPipelin
     const uint32_t view = pipeline->variant_count > 1 ? replay->pass.view_index : 0;
     struct vulkan_variant *const variant = view < pipeline->variant_count ? &pipeline->variants[view] : NULL;
     if (!variant || !variant->program) {
-        return NULL; // a render pass with other views, which Vulkan forbids
+        vulkan_log("draws are left out: their pipeline has no view %u", view);
+        return NULL;
     }
     const struct vulkan_targets *const targets = &replay->pass.targets;
     const bool fits = vulkan_targets_fit(targets, &pipeline->def);
@@ -79,6 +81,12 @@ static void tell_dynamic(struct vulkan_replay *replay, VkPipeline pipeline, bool
     bound->news_dynamic &= ~parts;
 }
 
+// Return why nothing is read from a buffer.
+static const char *why_nothing(VkBuffer buffer)
+{
+    return !buffer ? "no buffer is bound" : !buffer->bytes ? "it has no memory" : "they begin behind its end";
+}
+
 static void tell_vertices(struct vulkan_replay *replay, VkPipeline pipeline)
 {
     struct vulkan_bound *const bound = &replay->bound;
@@ -88,6 +96,9 @@ static void tell_vertices(struct vulkan_replay *replay, VkPipeline pipeline)
             VkBuffer buffer = bound->vertices[i].buffer;
             const VkDeviceSize offset = bound->vertices[i].offset;
             const bool is_there = buffer && buffer->bytes && offset < buffer->size;
+            if (!is_there) {
+                vulkan_log("vertices from buffer %d are zeros: %s", i, why_nothing(buffer));
+            }
             rhw_pass_set_vertex_memory(replay->context, replay->pass.pass, i,
                                        is_there ? buffer->bytes + offset : NULL,
                                        is_there ? (size_t)(buffer->size - offset) : 0);
@@ -101,6 +112,9 @@ static void tell_indices(struct vulkan_replay *replay)
     struct vulkan_bound *const bound = &replay->bound;
     VkBuffer buffer = bound->indices;
     const bool is_there = buffer && buffer->bytes && bound->index_offset < buffer->size;
+    if (!is_there) {
+        vulkan_log("all indices are zeros: %s", why_nothing(buffer));
+    }
     rhw_pass_set_index_memory(replay->context, replay->pass.pass,
                               is_there ? buffer->bytes + bound->index_offset : NULL,
                               bound->index_type == VK_INDEX_TYPE_UINT16      ? RHW_INDEX_UINT16
@@ -136,7 +150,12 @@ static bool begin_draw(struct vulkan_replay *replay, bool is_indexed)
 {
     struct vulkan_bound *const bound = &replay->bound;
     VkPipeline pipeline = bound->graphics.pipeline;
-    if (!pipeline || !vulkan_pass_open(replay, pipeline->samples)) {
+    if (!pipeline || !replay->pass.render_pass) {
+        vulkan_log("a draw is left out: %s",
+                   replay->pass.render_pass ? "no pipeline is bound" : "no render pass has begun");
+        return false;
+    }
+    if (!vulkan_pass_open(replay, pipeline->samples)) {
         return false;
     }
     if (!bound->is_told) {
@@ -226,7 +245,12 @@ static const void *find_command(const struct draw_indirect *record, uint32_t ind
 {
     const VkDeviceSize room = record->buffer->bytes ? record->buffer->size : 0;
     const VkDeviceSize offset = record->offset + (VkDeviceSize)index * record->stride;
-    return offset <= room && size <= room - offset ? record->buffer->bytes + offset : NULL;
+    if (offset > room || size > room - offset) {
+        vulkan_log("an indirect draw at %llu is left out: its buffer has %llu bytes",
+                   (unsigned long long)offset, (unsigned long long)room);
+        return NULL;
+    }
+    return record->buffer->bytes + offset;
 }
 
 static void replay_draw_indirect(struct vulkan_replay *replay, const struct vulkan_command *command)

@@ -138,6 +138,9 @@ static void replay_begin_subpass(struct vulkan_replay *replay, const struct vulk
     struct vulkan_pass_state *const pass = &replay->pass;
     // More subpasses than there are, which Vulkan forbids, are the last one again.
     const bool has_next = pass->subpass_index + 1 < pass->render_pass->subpass_count;
+    if (!has_next) {
+        vulkan_log("a render pass has %u subpasses, and one more is begun", pass->render_pass->subpass_count);
+    }
     pass->subpass_index += has_next ? 1 : 0;
     pass->subpass = &pass->render_pass->subpasses[pass->subpass_index];
     pass->splits = begin->has_barrier;

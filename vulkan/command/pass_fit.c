@@ -28,18 +28,35 @@ static bool attach(const struct vulkan_pass_state *pass, VkImageView view, uint3
                    struct attached *attached, struct rhw_pass_def *def, int *layers)
 {
     if (view->image->samples != samples || view->range.layerCount <= pass->view_index) {
+        vulkan_log("an attachment is left out: it has %u samples and %u layers", view->image->samples,
+                   view->range.layerCount);
         return false;
     }
     for (int i = 0; i < attached->count; i++) {
         if (share(attached->views[i], view)) {
+            vulkan_log("an attachment is left out: another one has the same texels");
             return false;
         }
     }
     attached->views[attached->count++] = view;
     const VkExtent3D extent = vulkan_image_extent(view->image, view->range.baseMipLevel);
+    if (extent.width < (uint32_t)def->width || extent.height < (uint32_t)def->height) {
+        vulkan_log("a pass of %d x %d is cut to an attachment of %u x %u", def->width, def->height,
+                   extent.width, extent.height);
+    }
     def->width = least(extent.width, def->width);
     def->height = least(extent.height, def->height);
     *layers = least(view->range.layerCount - pass->view_index, *layers);
+    return true;
+}
+
+static bool resolves(uint32_t samples, bool is_format_equal)
+{
+    if (samples == 1 || !is_format_equal) {
+        vulkan_log("an attachment of %u samples is not resolved: %s", samples,
+                   samples == 1 ? "it has one" : "the other one has another format");
+        return false;
+    }
     return true;
 }
 
@@ -60,11 +77,20 @@ static void attach_color(const struct vulkan_pass_state *pass, uint32_t i, struc
     }
     if (color->resolve.context != 0) {
         const VkImageView resolve = pass->views[subpass->resolves[i]];
-        if (samples == 1 || resolve->format != view->format ||
+        if (!resolves(samples, resolve->format == view->format) ||
             !attach(pass, resolve, 1, attached, def, layers)) {
             color->resolve = (rhw_texture){0};
         }
     }
+}
+
+static bool has_depth(VkImageView view)
+{
+    const bool has = vulkan_format_aspects(view->image->vulkan_format) != VK_IMAGE_ASPECT_COLOR_BIT;
+    if (!has) {
+        vulkan_log("an attachment of depth is left out: it has colours");
+    }
+    return has;
 }
 
 static void attach_depth(const struct vulkan_pass_state *pass, struct attached *attached,
@@ -76,14 +102,13 @@ static void attach_depth(const struct vulkan_pass_state *pass, struct attached *
     }
     const VkImageView view = pass->views[pass->subpass->depth];
     const uint32_t samples = view->image->samples == 1 ? 1 : pass->samples;
-    if (vulkan_format_aspects(view->image->vulkan_format) == VK_IMAGE_ASPECT_COLOR_BIT ||
-        !attach(pass, view, samples, attached, def, layers)) {
+    if (!has_depth(view) || !attach(pass, view, samples, attached, def, layers)) {
         *depth = (struct rhw_depth_attachment){.enabled = false};
         return;
     }
     if (depth->resolve.context != 0) {
         const VkImageView resolve = pass->views[pass->subpass->depth_resolve];
-        if (samples == 1 || !attach(pass, resolve, 1, attached, def, layers)) {
+        if (!resolves(samples, true) || !attach(pass, resolve, 1, attached, def, layers)) {
             depth->resolve = (rhw_texture){0};
             depth->resolve_mode = depth->stencil_resolve_mode = RHW_RESOLVE_DEFAULT;
         }
@@ -121,5 +146,9 @@ bool vulkan_pass_fit(const struct vulkan_pass_state *pass, struct rhw_pass_def *
     }
     def->depth.layer_count = layers;
     def->layers = def->color_count > 0 || def->depth.enabled ? 0 : layers;
-    return layers > 0 && fit_area(def);
+    const bool has_area = layers > 0 && fit_area(def);
+    if (!has_area) {
+        vulkan_log("a render pass without a pixel is left out");
+    }
+    return has_area;
 }

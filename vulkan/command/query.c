@@ -20,7 +20,8 @@ struct vulkan_query_part {
 static void add(struct vulkan_replay *replay, VkQueryPool pool, uint32_t index, uint64_t value, bool ends)
 {
     if (index >= pool->count) {
-        return; // there is no such query
+        vulkan_log("a query has number %u in a pool of %u", index, pool->count);
+        return;
     }
     pthread_mutex_lock(&replay->queue->lock);
     pool->queries[index].value += value;
@@ -95,6 +96,9 @@ struct query_command {
 static uint32_t count_within(VkQueryPool pool, uint32_t first, uint32_t count)
 {
     const uint32_t left = first < pool->count ? pool->count - first : 0;
+    if (count > left) {
+        vulkan_log("queries from %u on are %u: their pool has %u", first, count, pool->count);
+    }
     return count < left ? count : left;
 }
 

@@ -48,6 +48,9 @@ bool vulkan_shader_input_sets(struct vulkan_replay *replay, const struct vulkan_
             if (!frame->sets[s]) {
                 return false;
             }
+        } else {
+            vulkan_log("shaders read nothing from set %u: %s", s,
+                       point->sets[s] ? "it has fewer bindings than the pipeline's layout" : "none is bound");
         }
     }
     return true;

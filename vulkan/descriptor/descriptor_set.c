@@ -99,10 +99,16 @@ void vulkan_descriptor_set_write(const struct vulkan_descriptor_write *write)
     VkDescriptorSet set = write->set;
     const struct vulkan_set_binding *const binding = vulkan_set_layout_find(set->layout, write->binding);
     const unsigned char *data = write->data;
+    if (!binding) {
+        vulkan_log("descriptors of binding %u are not written: the layout of the set has none",
+                   write->binding);
+    }
     for (uint32_t i = 0; binding && i < write->count; i++, data += write->stride) {
         const uint64_t place = (uint64_t)binding->first + write->element + i;
         if (place >= set->layout->size || set->descriptors[place].type != write->type) {
-            return; // there is no such element
+            vulkan_log("descriptor %u of binding %u is not written: the set has none of this type there",
+                       write->element + i, write->binding);
+            return;
         }
         write_one(&set->descriptors[place], &set->bindings[place], data);
     }
@@ -139,7 +145,9 @@ static void copy_elements(const VkCopyDescriptorSet *copy)
         const uint64_t t = (uint64_t)target->first + copy->dstArrayElement + i;
         if (s >= from->layout->size || t >= to->layout->size ||
             from->descriptors[s].type != to->descriptors[t].type) {
-            return; // there is no such element
+            vulkan_log("descriptor %u of binding %u is not copied to binding %u: types differ, or it is none",
+                       copy->srcArrayElement + i, copy->srcBinding, copy->dstBinding);
+            return;
         }
         copy_element(from, s, to, t);
     }
@@ -244,6 +252,8 @@ void vulkan_descriptor_set_offset(VkDescriptorSet set, const uint32_t *offsets, 
         }
         const VkDeviceSize offset = *offsets++;
         if (!descriptor->bytes || offset > descriptor->available) {
+            vulkan_log("a buffer of a set reads as zeros: its dynamic offset is %llu of %llu",
+                       (unsigned long long)offset, (unsigned long long)descriptor->available);
             bindings[i] = (struct rhw_binding){{0}};
             continue;
         }
