@@ -136,7 +136,7 @@ uint32_t shader_get_home(struct shader_builder *builder, uint32_t home)
 
 uint32_t *shader_new_scalars(struct shader_builder *builder, const struct shader_type *type)
 {
-    if (type->scalars == 0 && !shader_type_is_empty(type)) {
+    if (type->scalars == 0 && !type->is_empty) {
         shader_build_refuse(builder, "there are no values of the type of id %u", (unsigned)type->id);
     }
     return shader_take(builder->memory, type->scalars, sizeof(uint32_t));

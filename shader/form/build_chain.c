@@ -42,6 +42,9 @@ static void step_bytes(struct shader_builder *builder, struct shader_place *plac
                        uint32_t bytes)
 {
     uint32_t number;
+    if (place->type->element && place->type->element->is_empty) {
+        return;
+    }
     if (bytes == 0) {
         shader_build_refuse(builder, "the array or matrix has no stride");
     }

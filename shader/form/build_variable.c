@@ -61,7 +61,7 @@ static void build_resource(struct shader_builder *builder, const struct shader_v
 static void build_shared(struct shader_builder *builder, struct shader_place *place)
 {
     struct shader_program *const program = builder->program;
-    if (place->type->scalars == 0 && place->type->kind != SHADER_ARRAY) {
+    if (place->type->scalars == 0 && !place->type->is_empty && place->type->kind != SHADER_ARRAY) {
         shader_build_refuse(builder, "the variable holds no values");
     }
     const uint64_t bytes = program->workgroup_size + 4 * shader_packed_scalars(place->type);

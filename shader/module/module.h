@@ -86,17 +86,12 @@ struct shader_type {
     bool is_block, is_buffer_block;   // STRUCT
     // Scalars of 32 bits that a value of this type is made of; 0 where there are no such values.
     uint32_t scalars;
+    bool is_empty; // STRUCT without members and what is made of such alone: there are values, of no scalars
     // Bytes in memory up to the last scalar, or to the begin of an array without length. Those of a matrix follow from
     // the member that it is part of (shader_member_bytes); here they are 0.
     uint32_t bytes;
     int depth; // how deep composites nest
 };
-
-// Return true for a structure without members, whose values have nothing.
-static inline bool shader_type_is_empty(const struct shader_type *type)
-{
-    return type->kind == SHADER_STRUCT && type->count == 0;
-}
 
 struct shader_constant {
     const struct shader_type *type;

@@ -10,7 +10,7 @@ static bool may_be_empty(uint32_t opcode, const struct shader_type *type)
 {
     const bool is_object = type->kind != SHADER_VOID && type->kind != SHADER_FUNCTION;
     return (opcode == SPIRV_OP_Undef && is_object) ||
-           (opcode == SPIRV_OP_ConstantNull && type->kind == SHADER_POINTER) || shader_type_is_empty(type);
+           (opcode == SPIRV_OP_ConstantNull && type->kind == SHADER_POINTER) || type->is_empty;
 }
 
 static uint32_t *new_constant(struct shader_module *module, uint32_t word, const struct shader_type *type)

@@ -102,7 +102,7 @@ static void read_array(struct shader_module *module, uint32_t word, struct shade
     }
     type->count = length->scalars[0];
     // Resources have no scalars; an array of them is bounded by its length.
-    if (type->element->scalars == 0 && type->count > SHADER_MAX_SCALARS) {
+    if (type->element->scalars == 0 && !type->element->is_empty && type->count > SHADER_MAX_SCALARS) {
         shader_refuse(module, word, "an array of resources has at most %d", SHADER_MAX_SCALARS);
     }
     // Memory may hold more than a value can.
@@ -111,6 +111,7 @@ static void read_array(struct shader_module *module, uint32_t word, struct shade
     if (scalars > SHADER_MAX_SCALARS) {
         type->scalars = 0;
     }
+    type->is_empty = type->element->is_empty;
     const struct shader_member whole = {.type = type};
     set_bytes(module, word, type, shader_member_bytes(&whole));
 }
@@ -164,12 +165,13 @@ static void read_struct(struct shader_module *module, uint32_t word, struct shad
         end = behind > end ? behind : end;
         nest(module, word, type, members[i].type, 0);
         // Memory may hold more than a value can.
-        has_values = has_values && (members[i].type->scalars != 0 || shader_type_is_empty(members[i].type));
+        has_values = has_values && (members[i].type->scalars != 0 || members[i].type->is_empty);
         members[i].first = has_values ? (uint32_t)scalars : 0;
         scalars += members[i].type->scalars;
         has_values = has_values && scalars <= SHADER_MAX_SCALARS;
     }
     type->scalars = has_values ? (uint32_t)scalars : 0;
+    type->is_empty = has_values && scalars == 0;
     set_bytes(module, word, type, end);
     type->members = members;
     type->is_block = shader_find_decoration(module, type->id, -1, SPIRV_BLOCK) != NULL;

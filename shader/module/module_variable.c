@@ -67,7 +67,7 @@ struct shader_variable *shader_read_variable(struct shader_module *module, uint3
     }
     const bool holds_values = variable->storage == SPIRV_FUNCTION || variable->storage == SPIRV_PRIVATE ||
                               variable->storage == SPIRV_INPUT || variable->storage == SPIRV_OUTPUT;
-    if (holds_values && variable->type->scalars == 0) {
+    if (holds_values && variable->type->scalars == 0 && !variable->type->is_empty) {
         shader_refuse(module, word, "the variable holds no value of at most %d scalars", SHADER_MAX_SCALARS);
     }
     module->ids[id].data.as_variable = variable;
