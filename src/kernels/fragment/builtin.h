@@ -35,6 +35,12 @@ RHW_INLINE void fill_identity(struct rhw_fragment *group, uint32_t uses, const s
     }
 }
 
+// Return a coordinate of 8 pixels side by side, or one below the other, at a position in them.
+RHW_INLINE f32x8 coordinate_of_pixels(int first, float position)
+{
+    return rhw_float_from_int(i32x8_splat(first) + rhw_lane_index) + f32x8_splat(position);
+}
+
 // Set the coordinates of 8 texels of the tile, at a position in their pixels. The group has their depth already.
 static void fill_coordinates(const struct tile_work *work, struct rhw_fragment *group, i32x8 texels,
                              const float position[2], f64x8 inverse_w)

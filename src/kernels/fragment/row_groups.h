@@ -145,9 +145,9 @@ RHW_INLINE void fill_row_coordinates(const struct tile_work *work, const struct 
     const bool at_sample = work->plan.sampling == RHW_SAMPLING_SAMPLE;
     const float center = (float)sample_offset(), right = at_sample ? block->samples->position[0] : center,
                 down = at_sample ? block->samples->position[1] : center;
-    const f32x8 x = rhw_float_from_int(i32x8_splat(work->x + block->x) + rhw_lane_index) + f32x8_splat(right);
+    const f32x8 x = coordinate_of_pixels(work->x + block->x, right);
     float y[RHW_BLOCK];
-    f32x8_store(y, rhw_float_from_int(i32x8_splat(work->y + block->y) + rhw_lane_index) + f32x8_splat(down));
+    f32x8_store(y, coordinate_of_pixels(work->y + block->y, down));
     for (int n = 0; n < rows->count; n++) {
         groups[n].coord[0] = x;
         groups[n].coord[1] = f32x8_splat(y[rows == &all_rows ? n : rows->row[n]]);
@@ -261,18 +261,19 @@ static __attribute__((noinline)) void place_samples(const struct tile_work *work
     }
 }
 
-// Set depth, facing and ids of the groups from `first` on.
-static void fill_kept(const struct tile_work *work, const struct triangle_work *triangle,
-                      const struct block *block, const struct block_rows *rows, int first)
+RHW_INLINE void fill_kept_depths(struct rhw_fragment *groups, const f32x8 *z, const struct block_rows *rows)
 {
     for (int n = 0; n < rows->count; n++) {
-        struct rhw_fragment *const group = &work->scratch->queue.groups[first + n];
-        if (work->plan.keeps_depth) {
-            group->depth = block->z[rows->row[n]];
-        }
-        if (work->plan.keeps_identity) {
-            fill_identity(group, work->pipeline->def.program.uses, triangle);
-        }
+        groups[n].depth = z[rows == &all_rows ? n : rows->row[n]];
+    }
+}
+
+static __attribute__((noinline)) void fill_kept_identity(const struct tile_work *work,
+                                                         const struct triangle_work *triangle,
+                                                         struct rhw_fragment *groups, int count)
+{
+    for (int n = 0; n < count; n++) {
+        fill_identity(&groups[n], work->pipeline->def.program.uses, triangle);
     }
 }
 
@@ -315,8 +316,11 @@ RHW_INLINE void queue_rows(struct tile_work *work, struct triangle_work *triangl
     if (work->plan.reads_targets) {
         read_targets(work, queue->count, rows->count);
     }
-    if (work->plan.keeps_depth || work->plan.keeps_identity) {
-        fill_kept(work, triangle, block, rows, queue->count);
+    if (work->plan.keeps_depth) {
+        fill_kept_depths(&queue->groups[queue->count], block->z, rows);
+    }
+    if (work->plan.keeps_identity) {
+        fill_kept_identity(work, triangle, &queue->groups[queue->count], rows->count);
     }
     if (block->samples && block->samples->center) {
         fill_centroid_rows(work, triangle, block, rows, queue->count);

@@ -50,18 +50,68 @@ static __attribute__((noinline)) void fill_more_block(const struct tile_work *wo
     }
 }
 
+// The rows of a row of blocks, where depth and 1/W have one value along each.
+struct level_rows {
+    float y[RHW_BLOCK], depth[RHW_BLOCK], inverse_w[RHW_BLOCK];
+};
+
+// Return true if coordinates are all that groups have beside smooth and flat varyings, and their depth and 1/W have one
+// value along a row, as on floors and on whatever faces the camera.
+static bool wants_level_coordinates(const struct tile_work *work, const struct planes *planes)
+{
+    const struct rhw_pipeline_data *const pipeline = work->pipeline;
+    return pipeline->def.program.uses & RHW_USE_COORD && work->plan.fills_more && !work->plan.reads_targets &&
+           !pipeline->any_noperspective && !pipeline->any_constant_derivatives &&
+           plane_is_level(plane_of(&planes->quantities, QUANTITY_S)) &&
+           plane_is_level(plane_of(&planes->quantities, QUANTITY_Z));
+}
+
+// Set what the blocks at row y of the tile share. `dy` is where their rows lie from the anchor.
+RHW_INLINE void level_rows_set(struct level_rows *out, const struct tile_work *work,
+                               const struct triangle_work *triangle, int y, f64x8 dy)
+{
+    const struct quantity_planes *const quantities = &triangle->planes.quantities;
+    plane_level_rows(plane_of(quantities, QUANTITY_S), dy, out->inverse_w);
+    plane_level_rows(plane_of(quantities, QUANTITY_Z), dy, out->depth);
+    if (triangle->clamps_depth) {
+        f32x8_store(out->depth, viewport_clamp(&work->scratch->depth, f32x8_load(out->depth)));
+    }
+    f32x8_store(out->y, coordinate_of_pixels(work->y + y, (float)sample_offset()));
+}
+
+// Set depth and coordinates of a block at column x of the tile.
+RHW_INLINE void fill_level_block(const struct tile_work *work, const struct level_rows *rows, int x)
+{
+    struct rhw_fragment *const groups = &work->scratch->queue.groups[work->scratch->queue.count];
+    const f32x8 columns = coordinate_of_pixels(work->x + x, (float)sample_offset());
+    for (int row = 0; row < RHW_BLOCK; row++) {
+        const f32x8 depth = f32x8_splat(rows->depth[row]);
+        groups[row].depth = depth;
+        groups[row].coord[0] = columns;
+        groups[row].coord[1] = f32x8_splat(rows->y[row]);
+        groups[row].coord[2] = depth;
+        groups[row].coord[3] = f32x8_splat(rows->inverse_w[row]);
+    }
+}
+
 RHW_INLINE void fill_whole_tile(struct tile_work *work, const struct triangle_work *triangle,
                                 enum derivatives derivatives, enum weight_path path)
 {
     const bool weighs = derivatives == DERIVATIVES || wants_weights(work->pipeline);
-    const bool more = work->plan.keeps_depth || work->plan.fills_more || work->plan.reads_targets;
+    const bool is_level = wants_level_coordinates(work, &triangle->planes);
+    const bool more =
+        !is_level && (work->plan.keeps_depth || work->plan.fills_more || work->plan.reads_targets);
     const struct planes *const planes = &triangle->planes;
     struct fragment_queue *const queue = &work->scratch->queue;
     for (int y = 0; y < RHW_TILE; y += RHW_BLOCK) {
         struct block_planes over;
+        struct level_rows level;
         const f64x8 dy = block_offset(work, planes, 0, y).dy;
         if (weighs) {
             block_weight_rows(&over, planes, dy, path);
+        }
+        if (is_level) {
+            level_rows_set(&level, work, triangle, y, dy);
         }
         for (int x = 0; x < RHW_TILE; x += RHW_BLOCK) {
             const struct anchor_offset at = {block_offset(work, planes, x, y).dx, dy};
@@ -70,7 +120,9 @@ RHW_INLINE void fill_whole_tile(struct tile_work *work, const struct triangle_wo
                 block_weight_columns(&over, planes, at.dx);
                 fill_steps(work, triangle, &over, &at, &all_rows, derivatives, path);
             }
-            if (more) {
+            if (is_level) {
+                fill_level_block(work, &level, x);
+            } else if (more) {
                 fill_more_block(work, triangle, x, y);
             }
             queue->count += RHW_BLOCK;

@@ -300,6 +300,37 @@ static void test_clip_and_clamp(void **state)
     }
 }
 
+static void coord_fragment(struct rhw_fragment *groups, int count)
+{
+    for (int g = 0; g < count; g++) {
+        memcpy(groups[g].color[0], groups[g].coord, sizeof groups[g].coord);
+    }
+}
+
+// A triangle that covers the target all over, whose depth is one number, or another in each row.
+static void test_clamped_coordinates(void **state)
+{
+    (void)state;
+    for (int slopes = 0; slopes < 2; slopes++) {
+        struct rig rig;
+        rig_open(&rig, SIZE, SIZE);
+        rig_set_program(&rig, rig_vertex_pass, coord_fragment);
+        rig.pipeline.program.uses = RHW_USE_COORD;
+        rig.pipeline.depth_clip_disabled = rig.pipeline.depth_clamp = true;
+        const float slope = slopes ? 0.5f : 0, low = 1.25f - 2 * slope, high = 1.25f + 6 * slope;
+        const struct rig_vertex all[3] = {
+            {{-2, -2, low, 1}, {0}}, {{6, -2, low, 1}, {0}}, {{-2, 6, high, 1}, {0}}};
+        rig_draw_once(&rig, all, 3);
+        for (int p = 0; p < SIZE * SIZE; p++) {
+            const double z = 1.25 + (double)slope * (1 - (p / SIZE + 0.5) * 2 / SIZE);
+            const float *const coord = rig_read_float4(&rig)[p];
+            assert_true(coord[0] == (float)(p % SIZE) + 0.5f && coord[1] == (float)(p / SIZE) + 0.5f);
+            assert_true(fabs((double)coord[2] - fmin(z, 1)) < 1e-6 && coord[3] == 1);
+        }
+        rig_close(&rig);
+    }
+}
+
 // A triangle through the eye's plane has no near plane to be cut by, and is drawn up to it.
 static void test_no_near_plane(void **state)
 {
@@ -394,6 +425,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_bias_of_cut_triangles),
     cmocka_unit_test(test_depth_beyond_one),
     cmocka_unit_test(test_clip_and_clamp),
+    cmocka_unit_test(test_clamped_coordinates),
     cmocka_unit_test(test_no_near_plane),
     cmocka_unit_test(test_depth_bounds),
     cmocka_unit_test(test_reversed_depth),
