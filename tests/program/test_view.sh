@@ -313,6 +313,8 @@ closes 0
 view move.gltf --camera 1.5,0.5,8,1.5,0.5,0,0,1,0,30
 shows_model
 seen "at rest"
+check "no option is advised where a key does it: $(cat complained)" test "$(cat complained)" = \
+    "rhw: move.gltf: warning: 2 animations: drawn at rest"
 press space
 check "it plays" unseen want.ppm
 cp want.ppm rest.ppm

@@ -177,8 +177,6 @@ static void look_for_words(struct scene_import *import, const char *bytes, size_
         {"x3d", "<Nurbs", "NURBS"},
         {"x3d", "<Geo", "geospatial nodes"},
         {"x3d", "<HAnim", "humanoids"},
-        {"x3d", "<QuadSet", "quads"},
-        {"x3d", "<IndexedQuadSet", "quads"},
         {"x3d", "<ProtoInstance", "prototypes"},
         {"x3d", "<VolumeData", "volumes"},
         {"x3d", "<PixelTexture", "textures in the file"},

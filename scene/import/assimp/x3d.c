@@ -2,11 +2,13 @@
 // X3D for assimp, which 5.2.5 reads otherwise than it is written. A list of addresses is of strings in quotation marks,
 // as in url='"wall.png" "http://…/wall.png"', of which assimp refuses one, and makes one of several. It gets the one
 // that is there. It also refuses a file for any node that it does not know, so it gets the file without it, and drops
-// groups of some kinds in silence, which get the names of those that it reads.
+// groups of some kinds in silence, which get the names of those that it reads. Texts of metadata it takes for numbers,
+// so it gets no metadata, which is about no picture.
 #include "assimp.h"
 #include "collada_markup.h"
 #include "edits.h"
 #include "import/builder/find_file.h"
+#include "x3d_quads.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -100,10 +102,11 @@ static void write_address(struct scene_import *import, struct scene_edits *edits
     }
 }
 
-// Return true if an element ends without content.
-static bool is_bare(const char *close)
+// Return true if an element ends without content. One that is used again has none, or comments.
+static bool is_bare(char *tag, char *close)
 {
-    return close[-1] == '/' || strncmp(close + 1 + strspn(close + 1, " \t\r\n"), "</", 2) == 0;
+    return close[-1] == '/' || strncmp(close + 1 + strspn(close + 1, " \t\r\n"), "</", 2) == 0 ||
+           scene_collada_attribute(tag, close, "USE").text != NULL;
 }
 
 // Write a group without content, at which assimp crashes, as one with a text, of which it takes no notice.
@@ -148,7 +151,7 @@ static bool write_group(struct scene_import *import, struct scene_edits *edits, 
             continue;
         }
         const char *const written = groups[i][name == tag ? 1 : 2];
-        if (name == tag && is_bare(close)) {
+        if (name == tag && is_bare(tag, close)) {
             write_bare(import, edits, text, tag, close, groups[i][2]);
         } else if (strcmp(written, groups[i][0]) != 0) {
             scene_edits_add_string(import, edits, (size_t)(name + 1 - text), strlen(groups[i][0]), written);
@@ -158,9 +161,24 @@ static bool write_group(struct scene_import *import, struct scene_edits *edits, 
     return false;
 }
 
+// Write a tag of metadata, which holds nothing but others of its kind, as a text. Return false if it is another.
+static bool write_metadata(struct scene_import *import, struct scene_edits *edits, const char *text,
+                           const char *tag, const char *close)
+{
+    static const char start[] = "Metadata";
+    const bool is_end = tag[1] == '/';
+    if (strncmp(tag + 1 + is_end, start, strlen(start)) != 0) {
+        return false;
+    }
+    scene_edits_add_string(import, edits, (size_t)(tag - text), (size_t)(close - tag) + 1,
+                           is_end ? "" : FILLER);
+    return true;
+}
+
 static char *write_tags(struct scene_import *import, char *text, size_t *size)
 {
     struct scene_edits edits = {0};
+    bool has_quads = false;
     char *close;
     for (char *tag = strchr(text, '<'); tag != NULL; tag = strchr(close, '<')) {
         close = scene_collada_markup_end(tag, text + *size);
@@ -169,7 +187,9 @@ static char *write_tags(struct scene_import *import, char *text, size_t *size)
         }
         if (strncmp(tag, "<!---->", 7) == 0) { // a comment that assimp takes for a node
             scene_edits_add_string(import, &edits, (size_t)(tag + 4 - text), 0, FILLER);
-        } else if (!write_group(import, &edits, text, tag, close)) {
+        } else if (!write_metadata(import, &edits, text, tag, close) &&
+                   !scene_assimp_write_quads(import, &edits, &has_quads, text, tag, close, text + *size) &&
+                   !write_group(import, &edits, text, tag, close)) {
             write_address(import, &edits, text, tag, close);
         }
     }

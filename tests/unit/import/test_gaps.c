@@ -467,8 +467,6 @@ static void test_words(void **state)
         {"w.x3d", X3D("<NurbsCurve"), "NURBS: not drawn"},
         {"w.x3d", X3D("<GeoOrigin"), "geospatial nodes: not drawn"},
         {"w.x3d", X3D("<HAnimSite"), "humanoids: not drawn"},
-        {"w.x3d", X3D("<QuadSet"), "quads: not drawn"},
-        {"w.x3d", X3D("<IndexedQuadSet"), "quads: not drawn"},
         {"w.x3d", X3D("<ProtoInstance"), "prototypes: not drawn"},
         {"w.x3d", X3D("<VolumeData"), "volumes: not drawn"},
         {"w.x3d", X3D("<PixelTexture"), "textures in the file: not drawn"},

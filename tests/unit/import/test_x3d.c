@@ -71,6 +71,11 @@ static void test_nodes(void **state)
         {"<Billboard DEF='b'>" SHAPE("") "</Billboard><Billboard USE='b'/>", 2, used},
         {"<Transform DEF='b'>" SHAPE("") "</Transform><Group><Transform USE='b'></Transform></Group>", 2,
          used},
+        {"<Group DEF='b'>" SHAPE("") "</Group><Group USE='b'><!-- again --></Group>", 2, used},
+        {"<MetadataSet><MetadataString containerField='value' value='\"b\"'/></MetadataSet>"
+         "<Group><MetadataString value='\"b\"'/></Group><Switch><MetadataFloat "
+         "value='1'></MetadataFloat></Switch>",
+         1, NULL},
     };
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         const char *const told = cases[i].told;
@@ -86,9 +91,57 @@ static void test_nodes(void **state)
     }
 }
 
+#define QUADS "<Coordinate point='0 0 0 1 0 0, 1 1 0 0 1 0 2 0 0 3 0 0 3 1 0 2 1 0'/>"
+
+// Quads, with indices and without, are drawn with what belongs to their corners. A corner too many belongs to none.
+static void test_quads(void **state)
+{
+    (void)state;
+    static const char told[] = "quads: not drawn";
+    static const struct {
+        const char *text;
+        unsigned triangles;
+        bool is_told;
+    } cases[] = {
+        {"<QuadSet>" QUADS "</QuadSet>", 4, false},
+        {"<QuadSet DEF='q'><!-- <Coordinate point=''/> -->" QUADS "</QuadSet >", 4, false},
+        {"<QuadSet><Coordinate point='0 0 0 1 0 0 1 1 0 0 1 0 2 0 0 3 0 0'/></QuadSet>", 2, false},
+        {"<IndexedQuadSet index='4 5 6 7'>" QUADS "</IndexedQuadSet>", 2, false},
+        {"<IndexedQuadSet solid='false'\nindex = \"0,1,2,3 4 5 6 7 1\">" QUADS "</IndexedQuadSet>", 4, false},
+        {"<QuadSet DEF='q'>" QUADS "</QuadSet></Shape><Shape><QuadSet USE='q'/>", 8, false},
+        {"<QuadSet><Coordinate USE='c'/></QuadSet>", 0, true},
+        {"<QuadSet/></Shape><Shape><IndexedFaceSet coordIndex='0 1 2 -1'>" QUADS "</IndexedFaceSet>", 1,
+         true},
+        {"<IndexedQuadSet index='0 1 2'>" QUADS "</IndexedQuadSet>", 0, true},
+        {"<IndexedQuadSet>" QUADS "</IndexedQuadSet>", 0, true},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        write_format("q.x3d", "<X3D><Scene>%s<Shape>%s</Shape></Scene></X3D>", SHAPE(""), cases[i].text);
+        struct scene_model *const model = load("q.x3d");
+        if (model->triangles_drawn != 1 + cases[i].triangles) {
+            fail_msg("case %zu: %" PRIu64 " triangles", i, (uint64_t)model->triangles_drawn);
+        }
+        if (is_unsupported(model, told) != cases[i].is_told || model->unsupported_count != cases[i].is_told) {
+            fail_msg("case %zu: %u lines", i, model->unsupported_count);
+        }
+        scene_model_free(model);
+    }
+    struct scene_model *const model =
+        load_text("c.x3d", "<X3D><Scene><Shape><QuadSet><Color color='1 0 0 0 1 0 0 0 1 1 1 1'/>"
+                           "<Coordinate point='0 0 0 1 0 0 1 1 0 0 1 0'/></QuadSet></Shape></Scene></X3D>");
+    assert_int_equal(model->mesh_count, 1);
+    const struct scene_mesh *const mesh = &model->meshes[0];
+    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
+        const float x = mesh->positions[i][0], y = mesh->positions[i][1], *color = mesh->colors[i];
+        assert_true(color[0] == (x == 0) && color[1] == (x != y) && color[2] == y);
+    }
+    scene_model_free(model);
+}
+
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_addresses),
     cmocka_unit_test(test_nodes),
+    cmocka_unit_test(test_quads),
 };
 
 const struct unit_tests test_x3d = UNIT_TESTS(tests, make_directory, remove_directory);
