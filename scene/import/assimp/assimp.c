@@ -15,6 +15,7 @@
 #include <strings.h>
 #include <sys/stat.h>
 
+#include "blender_shading.h"
 #include "cut_faces.h"
 #include "draw/camera/box.h"
 #include "elementary.h"
@@ -36,6 +37,7 @@ struct reader {
         *materials)[2]; // model material by assimp material, without and with vertex colours; −1: not made
     uint32_t objects;
     uint32_t depth;
+    uint8_t *shadings; // how the meshes of a Blender file are shaded
 };
 
 static const double pi = 3.14159265358979324;
@@ -220,6 +222,36 @@ static void fix_alpha(struct scene_import *import, struct scene_mesh *mesh)
     }
 }
 
+// Set how the meshes at a node and below it are shaded, where the file says so. Nodes of Blender have objects' names.
+static void set_shadings(struct reader *reader, const struct scene_blender_shadings *shadings,
+                         const struct aiNode *node, uint32_t depth)
+{
+    enum { DEEPEST = 1000 };
+    const enum scene_blender_shading shading = scene_blender_shading(shadings, node->mName.data);
+    for (unsigned i = 0; i < node->mNumMeshes; i++) {
+        if (node->mMeshes[i] < reader->scene->mNumMeshes) {
+            reader->shadings[node->mMeshes[i]] = (uint8_t)shading;
+        }
+    }
+    for (unsigned i = 0; i < node->mNumChildren && depth < DEEPEST; i++) {
+        if (node->mChildren[i] != NULL) {
+            set_shadings(reader, shadings, node->mChildren[i], depth + 1);
+        }
+    }
+}
+
+static void read_shadings(struct reader *reader)
+{
+    struct scene_blender_shadings shadings;
+    scene_blender_find_shadings(reader->import, &shadings);
+    reader->shadings =
+        scene_import_allocate(reader->import, reader->scene->mNumMeshes, sizeof *reader->shadings);
+    if (shadings.count > 0) {
+        set_shadings(reader, &shadings, reader->scene->mRootNode, 0);
+    }
+    scene_blender_free_shadings(&shadings);
+}
+
 static void add_mesh(struct reader *reader, uint32_t index)
 {
     const struct aiMesh *source = reader->scene->mMeshes[index];
@@ -236,7 +268,8 @@ static void add_mesh(struct reader *reader, uint32_t index)
         mesh.vertex_count = 0;
     }
     mesh.positions = copy_vectors(import, source->mVertices, count);
-    mesh.normals = copy_vectors(import, source->mNormals, count);
+    const enum scene_blender_shading shading = reader->shadings[index];
+    mesh.normals = shading == SCENE_BLENDER_SMOOTH ? copy_vectors(import, source->mNormals, count) : NULL;
     mesh.uvs[0] = copy_uvs(import, source->mTextureCoords[0], count);
     mesh.uvs[1] = copy_uvs(import, source->mTextureCoords[1], count);
     mend_colors(import, source);
@@ -266,8 +299,10 @@ static void add_mesh(struct reader *reader, uint32_t index)
     scene_import_place_mesh(import, origin);
     reader->meshes[index] = import->model.mesh_count - 1;
     // Formats that list every corner of every face hold each vertex several times.
-    const bool repeated = mesh.index_count == count && count > 3;
-    scene_import_complete_mesh(import, reader->meshes[index], SCENE_IMPORT_SMOOTH, repeated);
+    const bool repeated = (mesh.index_count == count && count > 3) || shading != SCENE_BLENDER_SMOOTH;
+    scene_import_complete_mesh(import, reader->meshes[index],
+                               shading == SCENE_BLENDER_FLAT ? SCENE_IMPORT_FLAT : SCENE_IMPORT_SMOOTH,
+                               repeated);
 }
 
 // Nodes ---------------------------------------------------------------------------------------------
@@ -709,6 +744,7 @@ void scene_import_assimp(struct scene_import *import)
     for (uint32_t i = 0; i < scene->mNumMaterials; i++) {
         reader.materials[i][0] = reader.materials[i][1] = -1;
     }
+    read_shadings(&reader);
     for (uint32_t i = 0; i < scene->mNumMeshes; i++) {
         add_mesh(&reader, i);
     }

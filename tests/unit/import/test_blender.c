@@ -2,6 +2,7 @@
 // What assimp leaves out of Blender files, by files of its own tests that are changed byte by byte.
 #include "model_files.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -102,6 +103,67 @@ static void test_scene(void **state)
     }
 }
 
+// Return true if all corners of each triangle have one normal, as far as its corners lie in the plane of the face.
+static bool is_flat(const struct scene_mesh *mesh)
+{
+    float worst = 0;
+    for (uint32_t i = 0; i < mesh->index_count; i++) {
+        const float *const first = mesh->normals[mesh->indices[i - i % 3]],
+                           *const other = mesh->normals[mesh->indices[i]];
+        for (int c = 0; c < 3; c++) {
+            worst = fmaxf(worst, fabsf(first[c] - other[c]));
+        }
+    }
+    return worst < 1e-5f;
+}
+
+// Faces say whether they are smooth. A flat cube stays one where one of its faces is, as its edges are creases, but not
+// where its sides lean as little as those of a lid. A smooth one becomes flat with one face that is, or by its angles.
+static void test_shading(void **state)
+{
+    (void)state;
+    enum {
+        FLAT_FACE = 84415,
+        SMOOTH_FACE = 86215,
+        SMOOTH_FLAGS = 84794,
+        VERTICES = 83380,
+        VERTEX = 24,
+        ANGLE = 32
+    };
+    static const struct {
+        size_t place;
+        unsigned char byte;
+        bool is_lid, flat, smooth; // whether the flat one and the smooth one are drawn flat
+    } cases[] = {
+        {0, 'B', false, true, false},        {FLAT_FACE, 3, false, true, false},
+        {SMOOTH_FACE, 2, false, true, true}, {SMOOTH_FLAGS, 4 + ANGLE, false, true, true},
+        {0, 'B', true, true, false},         {FLAT_FACE, 3, true, false, false},
+    };
+    static unsigned char bytes[1 << 20];
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        const size_t size = read_model(MODELS "SmoothVsSolidCube_248.blend", bytes, sizeof bytes);
+        bytes[cases[i].place] = cases[i].byte;
+        for (int v = 0; v < 8 && cases[i].is_lid; v++) {
+            float place[3];
+            memcpy(place, bytes + VERTICES + v * VERTEX, sizeof place);
+            if (place[2] > 0) {
+                memcpy(bytes + VERTICES + v * VERTEX,
+                       (const float[]){place[0] * 0.1f, place[1] * 0.1f, -0.8f}, sizeof place);
+            }
+        }
+        write_bytes("s.blend", bytes, size);
+        struct scene_model *const model = load("s.blend");
+        assert_int_equal(model->mesh_count, 2);
+        const int first = strcmp(model->meshes[0].name, "Cube") == 0 ? 0 : 1;
+        if (is_flat(&model->meshes[first]) != cases[i].flat ||
+            is_flat(&model->meshes[1 - first]) != cases[i].smooth) {
+            fail_msg("case %zu: %d, %d", i, is_flat(&model->meshes[first]),
+                     is_flat(&model->meshes[1 - first]));
+        }
+        scene_model_free(model);
+    }
+}
+
 static unsigned char *put(unsigned char *to, const void *bytes, size_t size)
 {
     memcpy(to, bytes, size);
@@ -138,10 +200,8 @@ static void test_many_blocks(void **state)
 }
 
 static const struct CMUnitTest tests[] = {
-    cmocka_unit_test(test_told),
-    cmocka_unit_test(test_scene),
-    cmocka_unit_test(test_many_blocks),
-    cmocka_unit_test(test_colors),
+    cmocka_unit_test(test_told),        cmocka_unit_test(test_shading), cmocka_unit_test(test_scene),
+    cmocka_unit_test(test_many_blocks), cmocka_unit_test(test_colors),
 };
 
 const struct unit_tests test_blender = UNIT_TESTS(tests, make_directory, remove_directory);

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// How the objects of a Blender file are shaded.
+#ifndef SCENE_IMPORT_BLENDER_SHADING_H
+#define SCENE_IMPORT_BLENDER_SHADING_H
+
+#include "import/builder/hash_table.h"
+
+enum scene_blender_shading {
+    SCENE_BLENDER_SMOOTH, ///< by the normals that assimp gives
+    SCENE_BLENDER_FLAT,   ///< no face is smooth
+    SCENE_BLENDER_CREASED ///< some faces are smooth, or all where they meet at small angles
+};
+
+struct scene_blender_shaded {
+    const char *name;
+    enum scene_blender_shading shading;
+};
+
+/// The objects that are not smooth.
+struct scene_blender_shadings {
+    struct scene_blender_shaded *list;
+    size_t count, capacity;
+    struct scene_hash_table names;
+};
+
+/// Find how the objects of a file are shaded. None is listed where the file is no Blender file.
+void scene_blender_find_shadings(struct scene_import *import, struct scene_blender_shadings *shadings);
+/// Return how the object of a name is shaded.
+enum scene_blender_shading scene_blender_shading(const struct scene_blender_shadings *shadings,
+                                                 const char *name);
+void scene_blender_free_shadings(struct scene_blender_shadings *shadings);
+
+#endif
