@@ -16,6 +16,7 @@
 #include <sys/prctl.h>
 #endif
 
+#include "huge_pages.h"
 #include "memory_limit.h"
 #include "sanitizer.h"
 
@@ -151,6 +152,7 @@ struct system_child_result system_child_run(const struct system_child_work *work
     if (child == 0) {
         restrict_child(work);
         silence();
+        system_huge_pages_prefer_heap(work->memory > 0 ? work->memory / 8 : SIZE_MAX);
         struct system_child self = {.reply = reply.stream};
         system_child_leave(&self, work->run(work->user, &self));
     }

@@ -9,6 +9,11 @@
 #if defined(__linux__)
 #include <sys/mman.h>
 #endif
+#if defined(__GLIBC__)
+#include <malloc.h>
+#include <stdlib.h>
+#include <unistd.h>
+#endif
 
 void system_huge_pages_prefer(void *block, size_t size)
 {
@@ -20,6 +25,32 @@ void system_huge_pages_prefer(void *block, size_t size)
     }
 #else
     (void)block;
+    (void)size;
+#endif
+}
+
+void system_huge_pages_prefer_heap(size_t size)
+{
+#if defined(MADV_HUGEPAGE) && defined(__GLIBC__)
+    enum { PAGE = 4096, BLOCK = 31 << 20, LARGEST = 32 << 20, BLOCKS = 4 }; // bytes; blocks
+    // Blocks up to the largest size that glibc allows come from the heap, and what is freed stays in it.
+    (void)mallopt(M_MMAP_THRESHOLD, LARGEST);
+    (void)mallopt(M_TRIM_THRESHOLD, 1 << 30);
+    void *blocks[BLOCKS] = {NULL};
+    char *const first = (char *)sbrk(0) - (uintptr_t)sbrk(0) % PAGE;
+    for (size_t i = 0; i < BLOCKS && size > 0; i++) {
+        const size_t part = size < BLOCK ? size : BLOCK;
+        blocks[i] = malloc(part);
+        size -= part;
+    }
+    char *const end = sbrk(0);
+    for (size_t i = 0; i < BLOCKS; i++) {
+        free(blocks[i]);
+    }
+    if (end > first) {
+        (void)madvise(first, (size_t)(end - first), MADV_HUGEPAGE);
+    }
+#else
     (void)size;
 #endif
 }

@@ -7,3 +7,8 @@ void system_huge_pages_prefer(void *block, size_t size)
     (void)block;
     (void)size;
 }
+
+void system_huge_pages_prefer_heap(size_t size)
+{
+    (void)size;
+}

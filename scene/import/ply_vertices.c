@@ -88,7 +88,7 @@ static bool has_floats_alone(const struct element *element, const enum target *t
 static bool load_floats(struct ply *ply, const struct element *element)
 {
     const size_t count = (size_t)element->count;
-    float(*const points)[3] = scene_import_allocate(ply->import, count, sizeof *points);
+    float(*const points)[3] = scene_import_allocate_any(ply->import, count, sizeof *points);
     for (size_t i = 0; i < count; i++) {
         for (size_t c = 0; c < 3; c++) {
             const unsigned char *const bytes = ply->cursor + sizeof *points * i + sizeof **points * c;

@@ -125,7 +125,7 @@ static void add_solid(struct scene_import *import, struct solid *solid)
     struct scene_mesh *mesh = scene_import_add_mesh(import);
     mesh->name = solid->name;
     mesh->vertex_count = mesh->index_count = (uint32_t)solid->corners;
-    mesh->indices = scene_import_allocate(import, solid->corners, sizeof *mesh->indices);
+    mesh->indices = scene_import_allocate_any(import, solid->corners, sizeof *mesh->indices);
     for (uint32_t i = 0; i < mesh->index_count; i++) {
         mesh->indices[i] = i;
     }
@@ -296,10 +296,10 @@ static void read_binary(struct scene_import *import, const unsigned char *bytes,
     const struct palette palette = find_palette(import, bytes, count);
     tell_of_head(import, bytes);
     struct solid solid = {.name = "", .corners = 3 * count};
-    solid.floats = scene_import_allocate(import, solid.corners, sizeof *solid.floats);
-    solid.normals = scene_import_allocate(import, solid.corners, sizeof *solid.normals);
+    solid.floats = scene_import_allocate_any(import, solid.corners, sizeof *solid.floats);
+    solid.normals = scene_import_allocate_any(import, solid.corners, sizeof *solid.normals);
     if (palette.colored) {
-        solid.colors = scene_import_allocate(import, solid.corners, sizeof *solid.colors);
+        solid.colors = scene_import_allocate_any(import, solid.corners, sizeof *solid.colors);
     }
     for (size_t i = 0; i < count; i++) {
         const unsigned char *facet = bytes + HEADER + i * FACET;

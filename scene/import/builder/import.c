@@ -27,14 +27,24 @@ _Noreturn void scene_import_fail(struct scene_import *import, const char *format
     abort();
 }
 
-void *scene_import_allocate(struct scene_import *import, size_t count, size_t size)
+static void *check(struct scene_import *import, void *memory, size_t count, size_t size)
 {
-    void *memory = calloc(count > 0 ? count : 1, size);
     if (memory == NULL) {
         scene_import_fail(import, "needs more memory than there is (%zu MiB more)", count / 1048576 * size);
     }
     system_huge_pages_prefer(memory, count * size);
     return memory;
+}
+
+void *scene_import_allocate(struct scene_import *import, size_t count, size_t size)
+{
+    return check(import, calloc(count > 0 ? count : 1, size), count, size);
+}
+
+void *scene_import_allocate_any(struct scene_import *import, size_t count, size_t size)
+{
+    const size_t least = count > 0 ? count : 1;
+    return check(import, least <= SIZE_MAX / size ? malloc(least * size) : NULL, count, size);
 }
 
 void scene_import_reserve(struct scene_import *import, void *array, size_t *capacity, size_t needed,
@@ -298,13 +308,14 @@ void *scene_import_read_bytes(const char *path, size_t *size, const char **probl
         return NULL;
     }
     *size = (size_t)status.st_size;
-    char *bytes = calloc(*size + 1, 1);
+    char *bytes = malloc(*size + 1);
     if (bytes == NULL) {
         *problem = scene_import_no_memory;
         close(descriptor);
         return NULL;
     }
     system_huge_pages_prefer(bytes, *size);
+    bytes[*size] = 0;
     size_t done = 0;
     while (done < *size) {
         // Windows reads no more at a time, and Linux little more.

@@ -129,6 +129,8 @@ void scene_import_clear_reply(struct scene_import *import);
 
 /// Return zeroed memory for `count` elements of `size` bytes, never NULL. Fail the import if there is none.
 void *scene_import_allocate(struct scene_import *import, size_t count, size_t size);
+/// Return memory like scene_import_allocate that holds anything. It is for large arrays of which all is written.
+void *scene_import_allocate_any(struct scene_import *import, size_t count, size_t size);
 /// Make room for `needed` elements in a growing array. New elements are not zeroed.
 void scene_import_reserve(struct scene_import *import, void *array, size_t *capacity, size_t needed,
                           size_t size);

@@ -14,7 +14,7 @@ static void *take(struct scene_import *import, void *array, size_t size, const u
     if (array == NULL) {
         return NULL;
     }
-    char *const taken = scene_import_allocate(import, count, size);
+    char *const taken = scene_import_allocate_any(import, count, size);
     for (uint32_t i = 0; i < count; i++) {
         memcpy(taken + i * size, (const char *)array + source[i] * size, size);
     }
@@ -62,7 +62,7 @@ void scene_import_drop_unused_vertices(struct scene_import *import, struct scene
         free(place);
         return;
     }
-    uint32_t *source = scene_import_allocate(import, used, sizeof *source);
+    uint32_t *source = scene_import_allocate_any(import, used, sizeof *source);
     uint32_t next = 0;
     for (uint32_t i = 0; i < mesh->vertex_count; i++) {
         if (place[i] != 0) {
@@ -91,7 +91,8 @@ static struct vertex_table make_table(struct scene_import *import, uint32_t vert
     while (size < (size_t)vertices * 2) {
         size *= 2;
     }
-    struct vertex_table table = {scene_import_allocate(import, size, sizeof(uint32_t)), (uint32_t)(size - 1)};
+    struct vertex_table table = {scene_import_allocate_any(import, size, sizeof(uint32_t)),
+                                 (uint32_t)(size - 1)};
     memset(table.slots, 0xff, size * sizeof(uint32_t));
     return table;
 }
@@ -198,7 +199,7 @@ static void find_first(struct scene_import *import, const struct vertex_bytes *b
 
 uint32_t *scene_import_weld_positions(struct scene_import *import, const struct scene_mesh *mesh)
 {
-    uint32_t *const group = scene_import_allocate(import, mesh->vertex_count, sizeof *group);
+    uint32_t *const group = scene_import_allocate_any(import, mesh->vertex_count, sizeof *group);
     const struct vertex_bytes places = {.arrays = {(const char *)mesh->positions}, .are_places = true};
     find_first(import, &places, mesh->vertex_count, group);
     return group;
@@ -206,8 +207,8 @@ uint32_t *scene_import_weld_positions(struct scene_import *import, const struct 
 
 void scene_import_join_vertices(struct scene_import *import, struct scene_mesh *mesh)
 {
-    uint32_t *const place = scene_import_allocate(import, mesh->vertex_count, sizeof *place);
-    uint32_t *const source = scene_import_allocate(import, mesh->vertex_count, sizeof *source);
+    uint32_t *const place = scene_import_allocate_any(import, mesh->vertex_count, sizeof *place);
+    uint32_t *const source = scene_import_allocate_any(import, mesh->vertex_count, sizeof *source);
     const struct vertex_bytes bytes = bytes_of(mesh);
     uint32_t count = 0;
     find_first(import, &bytes, mesh->vertex_count, place);
