@@ -44,14 +44,36 @@ static bool find_point(const struct scene_import_points *points, size_t number, 
     return is_good;
 }
 
+// Bound points that are floats alone. Return false if one of them is no number.
+static bool bound_floats(const struct scene_import_points *points, double low[3], double high[3])
+{
+    const float(*const floats)[3] = points->floats;
+    float least[3] = {floats[0][0], floats[0][1], floats[0][2]};
+    float most[3] = {floats[0][0], floats[0][1], floats[0][2]};
+    bool is_good = true;
+    for (size_t i = 0; i < points->count; i++) {
+        for (int c = 0; c < 3; c++) {
+            const float at = floats[i][c];
+            least[c] = at < least[c] ? at : least[c];
+            most[c] = at > most[c] ? at : most[c];
+            is_good &= at == at;
+        }
+    }
+    for (int c = 0; c < 3; c++) {
+        low[c] = (double)least[c];
+        high[c] = (double)most[c];
+    }
+    return is_good;
+}
+
 // Bound points by the lesser and the greater of two numbers, which no branch depends on. Return false if one of them is
 // no good point.
 static bool bound_good(const struct scene_import_points *points, double low[3], double high[3])
 {
-    bool is_good = true;
-    for (size_t i = 0; i < points->count; i++) {
+    bool is_good = points->exact != NULL || bound_floats(points, low, high);
+    for (size_t i = 0; i < points->count && points->exact != NULL; i++) {
         for (int c = 0; c < 3; c++) {
-            const double at = points->exact != NULL ? points->exact[i][c] : (double)points->floats[i][c];
+            const double at = points->exact[i][c];
             low[c] = at < low[c] ? at : low[c];
             high[c] = at > high[c] ? at : high[c];
             is_good &= at == at; // false of what is not a number
