@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "face_weights.h"
 #include "vector.h"
 #include "vertices.h"
 
@@ -25,52 +26,35 @@ static const double even_cosine = 0.8660254037844387;
 // are averaged.
 enum { MOST_FACES = 256 };
 
+// What is known of a point: of the first vertex at a place, in which all vertices there are one.
+struct point {
+    double axis[3];      // sum of the weighted normals of the faces around it, and then its direction
+    uint32_t face_count; // number of corners at it; later the new vertex of an even point
+    bool is_uneven;      // its corners are compared with each other
+};
+
+// A corner at an uneven point.
+struct corner {
+    double weight;
+    uint32_t number; // place in the indices of the mesh
+    uint32_t vertex; // its new vertex
+};
+
 struct smoothing {
     const struct scene_mesh *mesh;
     double (*faces)[3];       // unit normals
     const uint32_t *polygons; // polygon of each face; NULL if no face was cut from one
     bool *folded;             // faces next to a fold of their polygon; NULL if there are no polygons
     uint32_t *point;          // point of each vertex: the first vertex at its place
-    double (*axes)[3];    // sum of the weighted normals of the faces around a point, and then its direction
-    uint32_t *face_count; // number of corners at each point
-    bool *is_uneven;      // points whose corners are compared with each other
-    double *weights;      // weight of each corner at an uneven point
-    uint32_t *start;      // corners around an uneven point p are start[p] .. start[p + 1]
-    uint32_t *corners;
+    struct point *points;
+    uint32_t *start; // corners around an uneven point p are start[p] .. start[p + 1]
+    struct corner *corners;
     uint32_t
         *newest; // number, from 1, of the last new vertex that was made from each vertex; 0 if there is none
     uint32_t *source; // vertex from which each new vertex was made
     float (*normals)[3];
     uint32_t count; // number of new vertices
 };
-
-// Find the normal of a face, and what it weighs at its corners: its angle there times its area. With weights of angles
-// alone it would not matter at all how a polygon was cut into triangles, and with these it matters a little. But scans
-// have triangles whose edges are a thousandth of their neighbours' and whose direction is noise, and by angles alone
-// these would count as much as the others.
-static void weigh_face(const struct scene_mesh *mesh, uint32_t face, double normal[3], double weights[3])
-{
-    const uint32_t *const corner = mesh->indices + 3 * (size_t)face;
-    const float *const p = mesh->positions[corner[0]], *const q = mesh->positions[corner[1]],
-                       *const r = mesh->positions[corner[2]];
-    double a[3], b[3], opposite[3];
-    scene_vector_between(p, q, a);
-    scene_vector_between(p, r, b);
-    scene_vector_between(q, r, opposite);
-    scene_cross(a, b, normal);
-    const double length = __builtin_sqrt(scene_dot(normal, normal));
-    const double divisor = length > 0 ? length : 1;
-    for (int c = 0; c < 3; c++) {
-        normal[c] = length > 0 ? normal[c] / divisor : 0;
-    }
-    // An edge has the same unit vector from both ends, but for its sign.
-    scene_vector_unit(a);
-    scene_vector_unit(b);
-    scene_vector_unit(opposite);
-    weights[0] = length * scene_vector_angle(scene_dot(a, b));
-    weights[1] = length * scene_vector_angle(-scene_dot(a, opposite));
-    weights[2] = length * scene_vector_angle(scene_dot(b, opposite));
-}
 
 static uint32_t face_total(const struct smoothing *smoothing)
 {
@@ -84,22 +68,44 @@ static uint32_t point_of(const struct smoothing *smoothing, size_t corner)
 
 // Even points ---------------------------------------------------------------------------------------
 
-// Find the normals of all faces and the axes of all points.
-static void sum_all(struct smoothing *smoothing)
+static void add_batch(struct smoothing *smoothing, const struct scene_face_batch *batch)
 {
-    for (uint32_t face = 0; face < face_total(smoothing); face++) {
-        double *const normal = smoothing->faces[face], weights[3];
-        weigh_face(smoothing->mesh, face, normal, weights);
+    const uint32_t *const indices = smoothing->mesh->indices, *const point_of_vertex = smoothing->point;
+    struct point *const points = smoothing->points;
+    double(*const faces)[3] = smoothing->faces;
+    for (uint32_t i = 0; i < batch->count; i++) {
+        const size_t face = batch->faces[i];
+        const double normal[3] = {batch->normals[0][i], batch->normals[1][i], batch->normals[2][i]};
+        memcpy(faces[face], normal, sizeof normal);
         for (uint32_t k = 0; k < 3; k++) {
-            const uint32_t point = point_of(smoothing, 3 * (size_t)face + k);
-            smoothing->face_count[point]++;
+            struct point *const point = &points[point_of_vertex[indices[3 * face + k]]];
+            point->face_count++;
             for (int c = 0; c < 3; c++) {
-                smoothing->axes[point][c] += normal[c] * weights[k];
+                point->axis[c] += normal[c] * batch->weights[k][i];
             }
         }
     }
+}
+
+// Find the normals of all faces and the axes of all points.
+static void sum_all(struct smoothing *smoothing)
+{
+    const uint32_t total = face_total(smoothing);
+    struct scene_face_batch batch;
+    for (uint32_t face = 0; face < total; face += batch.count) {
+        batch.count = total - face < SCENE_FACE_BATCH ? total - face : SCENE_FACE_BATCH;
+        for (uint32_t i = 0; i < batch.count; i++) {
+            batch.faces[i] = face + i;
+            for (uint32_t k = 0; k < 3; k++) {
+                // Points come from memory while the batch is weighed.
+                __builtin_prefetch(&smoothing->points[point_of(smoothing, 3 * (size_t)(face + i) + k)], 1);
+            }
+        }
+        scene_face_batch_weigh(smoothing->mesh, &batch);
+        add_batch(smoothing, &batch);
+    }
     for (uint32_t point = 0; point < smoothing->mesh->vertex_count; point++) {
-        scene_vector_unit(smoothing->axes[point]);
+        scene_vector_unit(smoothing->points[point].axis);
     }
 }
 
@@ -129,21 +135,27 @@ static void find_folds(struct scene_import *import, struct smoothing *smoothing,
 static uint32_t find_uneven(struct smoothing *smoothing)
 {
     const struct scene_mesh *const mesh = smoothing->mesh;
+    struct point *const points = smoothing->points;
+    const uint32_t *const point_of_vertex = smoothing->point, total = face_total(smoothing);
+    double(*const faces)[3] = smoothing->faces;
+    const bool *const folded = smoothing->folded;
     for (uint32_t i = 0; i < mesh->vertex_count; i++) {
-        smoothing->is_uneven[smoothing->point[i]] |= smoothing->point[i] != i;
+        points[point_of_vertex[i]].is_uneven |= point_of_vertex[i] != i;
     }
-    for (uint32_t face = 0; face < face_total(smoothing); face++) {
-        const bool is_folded = smoothing->folded != NULL && smoothing->folded[face];
+    for (uint32_t face = 0; face < total; face++) {
+        const bool is_folded = folded != NULL && folded[face];
+        const double normal[3] = {faces[face][0], faces[face][1], faces[face][2]};
+        const uint32_t *const corners = mesh->indices + 3 * (size_t)face;
         for (uint32_t k = 0; k < 3; k++) {
-            const uint32_t point = point_of(smoothing, 3 * (size_t)face + k);
-            const double cosine = scene_dot(smoothing->axes[point], smoothing->faces[face]);
-            smoothing->is_uneven[point] |=
-                (is_folded || !(cosine >= even_cosine)) && smoothing->face_count[point] <= MOST_FACES;
+            struct point *const point = &points[point_of_vertex[corners[k]]];
+            if (is_folded || !(scene_dot(point->axis, normal) >= even_cosine)) {
+                point->is_uneven |= point->face_count <= MOST_FACES;
+            }
         }
     }
     uint32_t corners = 0;
     for (uint32_t point = 0; point < mesh->vertex_count; point++) {
-        corners += smoothing->is_uneven[point] ? smoothing->face_count[point] : 0;
+        corners += points[point].is_uneven ? points[point].face_count : 0;
     }
     return corners;
 }
@@ -167,70 +179,70 @@ static uint32_t find_or_add(struct smoothing *smoothing, uint32_t first, uint32_
 }
 
 // Some of the corners around one point.
-struct faces {
-    const uint32_t *corners;
+struct corners {
+    struct corner *list;
     uint32_t count;
 };
 
-static const double *face_of(const struct smoothing *smoothing, uint32_t corner)
+static const double *face_of(const struct smoothing *smoothing, const struct corner *corner)
 {
-    return smoothing->faces[corner / 3];
+    return smoothing->faces[corner->number / 3];
 }
 
 // Sum over the corners whose faces are no further than a crease from `axis`. If `axis` is NULL, sum over all.
-static void sum_faces(const struct smoothing *smoothing, struct faces faces, const double *axis,
+static void sum_faces(const struct smoothing *smoothing, struct corners corners, const double *axis,
                       double sum[3])
 {
     memset(sum, 0, 3 * sizeof *sum);
-    for (uint32_t i = 0; i < faces.count; i++) {
-        const double *face = face_of(smoothing, faces.corners[i]);
+    for (uint32_t i = 0; i < corners.count; i++) {
+        const double *face = face_of(smoothing, &corners.list[i]);
         if (axis != NULL && scene_dot(axis, face) < crease_cosine) {
             continue;
         }
         for (int c = 0; c < 3; c++) {
-            sum[c] += face[c] * smoothing->weights[faces.corners[i]];
+            sum[c] += face[c] * corners.list[i].weight;
         }
     }
 }
 
-static bool all_within(const struct smoothing *smoothing, struct faces faces, const double axis[3],
+static bool all_within(const struct smoothing *smoothing, struct corners corners, const double axis[3],
                        double cosine)
 {
     uint32_t near = 0;
-    while (near < faces.count && scene_dot(axis, face_of(smoothing, faces.corners[near])) >= cosine) {
+    while (near < corners.count && scene_dot(axis, face_of(smoothing, &corners.list[near])) >= cosine) {
         near++;
     }
-    return near == faces.count;
+    return near == corners.count;
 }
 
 // Return true if the faces of two corners at one point share an edge there that is no crease.
-static bool are_joined(const struct smoothing *smoothing, uint32_t a, uint32_t b)
+static bool are_joined(const struct smoothing *smoothing, const struct corner *a, const struct corner *b)
 {
-    const uint32_t corners[2] = {a, b};
+    const uint32_t corners[2] = {a->number, b->number};
     uint32_t ends[2][2]; // points at the other ends of each face's two edges
     for (int i = 0; i < 2; i++) {
         const uint32_t first = corners[i] / 3 * 3;
         for (uint32_t k = 0; k < 2; k++) {
-            ends[i][k] = smoothing->point[smoothing->mesh->indices[first + (corners[i] + 1 + k) % 3]];
+            ends[i][k] = point_of(smoothing, first + (corners[i] + 1 + k) % 3);
         }
     }
     const bool meet = ends[0][0] == ends[1][0] || ends[0][0] == ends[1][1] || ends[0][1] == ends[1][0] ||
                       ends[0][1] == ends[1][1];
-    return meet && !are_folded(smoothing, a / 3, b / 3) &&
+    return meet && !are_folded(smoothing, corners[0] / 3, corners[1] / 3) &&
            scene_dot(face_of(smoothing, a), face_of(smoothing, b)) >= crease_cosine;
 }
 
 // Reorder the corners so that corners whose faces are joined, one with the next, stand together. Return how many there
 // are in the first group.
-static uint32_t gather_group(const struct smoothing *smoothing, uint32_t *corners, uint32_t count)
+static uint32_t gather_group(const struct smoothing *smoothing, struct corners corners)
 {
     uint32_t grouped = 1;
     for (uint32_t i = 0; i < grouped; i++) {
-        for (uint32_t k = grouped; k < count; k++) {
-            if (are_joined(smoothing, corners[i], corners[k])) {
-                const uint32_t corner = corners[k];
-                corners[k] = corners[grouped];
-                corners[grouped++] = corner;
+        for (uint32_t k = grouped; k < corners.count; k++) {
+            if (are_joined(smoothing, &corners.list[i], &corners.list[k])) {
+                const struct corner corner = corners.list[k];
+                corners.list[k] = corners.list[grouped];
+                corners.list[grouped++] = corner;
             }
         }
     }
@@ -239,22 +251,22 @@ static uint32_t gather_group(const struct smoothing *smoothing, uint32_t *corner
 
 // Return true if all faces lie within 30° of one axis and none is next to a fold. No two are a crease apart then, so
 // that no pairs are compared.
-static bool are_even(const struct smoothing *smoothing, struct faces faces)
+static bool are_even(const struct smoothing *smoothing, struct corners corners)
 {
     double axis[3];
-    for (uint32_t i = 0; i < faces.count && smoothing->folded != NULL; i++) {
-        if (smoothing->folded[faces.corners[i] / 3]) {
+    for (uint32_t i = 0; i < corners.count && smoothing->folded != NULL; i++) {
+        if (smoothing->folded[corners.list[i].number / 3]) {
             return false;
         }
     }
-    sum_faces(smoothing, faces, NULL, axis);
+    sum_faces(smoothing, corners, NULL, axis);
     scene_vector_unit(axis);
-    return all_within(smoothing, faces, axis, even_cosine);
+    return all_within(smoothing, corners, axis, even_cosine);
 }
 
 // Give a group its normals. It has one, so that a ridge is not torn where it is a little sharper, unless its faces look
 // away from each other, as around the tip of a cone. Each of these faces goes with the faces that are near it.
-static void smooth_group(struct smoothing *smoothing, struct faces group, uint32_t first, uint32_t *place)
+static void smooth_group(struct smoothing *smoothing, struct corners group, uint32_t first)
 {
     double all[3], axis[3];
     float normal[3];
@@ -264,91 +276,116 @@ static void smooth_group(struct smoothing *smoothing, struct faces group, uint32
     scene_vector_to_normal(all, normal);
     const bool one = group.count > MOST_FACES || all_within(smoothing, group, axis, crease_cosine);
     for (uint32_t i = 0; i < group.count; i++) {
-        const uint32_t corner = group.corners[i];
+        struct corner *const corner = &group.list[i];
         if (!one) {
             double sum[3];
             sum_faces(smoothing, group, face_of(smoothing, corner), sum);
             scene_vector_to_normal(sum, normal);
         }
-        place[corner] = find_or_add(smoothing, first, smoothing->mesh->indices[corner], normal);
+        corner->vertex = find_or_add(smoothing, first, smoothing->mesh->indices[corner->number], normal);
     }
 }
 
-// Give the corners around one point their new vertices in `place`.
-static void smooth_point(struct smoothing *smoothing, uint32_t *corners, uint32_t count, uint32_t *place)
+// Give the corners around one point their new vertices.
+static void smooth_point(struct smoothing *smoothing, struct corners corners)
 {
     const uint32_t first = smoothing->count;
-    while (count > 0) {
-        const bool whole = count > MOST_FACES || are_even(smoothing, (struct faces){corners, count});
-        const uint32_t grouped = whole ? count : gather_group(smoothing, corners, count);
-        smooth_group(smoothing, (struct faces){corners, grouped}, first, place);
-        corners += grouped;
-        count -= grouped;
+    while (corners.count > 0) {
+        const bool whole = corners.count > MOST_FACES || are_even(smoothing, corners);
+        const uint32_t grouped = whole ? corners.count : gather_group(smoothing, corners);
+        smooth_group(smoothing, (struct corners){corners.list, grouped}, first);
+        corners.list += grouped;
+        corners.count -= grouped;
     }
+}
+
+// Take the corners at uneven points of the faces of a batch, weighed.
+static void take_corners(struct smoothing *smoothing, struct scene_face_batch *batch, uint32_t *next)
+{
+    scene_face_batch_weigh(smoothing->mesh, batch);
+    for (uint32_t i = 0; i < batch->count; i++) {
+        for (uint32_t k = 0; k < 3; k++) {
+            const uint32_t number = 3 * batch->faces[i] + k, point = point_of(smoothing, number);
+            if (smoothing->points[point].is_uneven) {
+                smoothing->corners[next[point]++] =
+                    (struct corner){.weight = batch->weights[k][i], .number = number};
+            }
+        }
+    }
+    batch->count = 0;
 }
 
 // Sort the corners at uneven points by the point, by counting, and weigh them.
 static void sort_corners(struct scene_import *import, struct smoothing *smoothing, uint32_t corners)
 {
     const struct scene_mesh *mesh = smoothing->mesh;
+    const struct point *const points = smoothing->points;
     smoothing->start =
         scene_import_allocate(import, (size_t)mesh->vertex_count + 2, sizeof *smoothing->start);
-    smoothing->corners = scene_import_allocate(import, corners, sizeof *smoothing->corners);
+    smoothing->corners = scene_import_allocate_any(import, corners, sizeof *smoothing->corners);
     smoothing->newest = scene_import_allocate(import, mesh->vertex_count, sizeof *smoothing->newest);
-    smoothing->weights = scene_import_allocate(import, mesh->index_count, sizeof *smoothing->weights);
     uint32_t *next = smoothing->start + 1;
     for (uint32_t point = 0; point < mesh->vertex_count; point++) {
-        next[point + 1] = next[point] + (smoothing->is_uneven[point] ? smoothing->face_count[point] : 0);
+        next[point + 1] = next[point] + (points[point].is_uneven ? points[point].face_count : 0);
     }
-    for (uint32_t face = 0; face < face_total(smoothing); face++) {
-        bool is_weighed = false;
-        for (uint32_t k = 0; k < 3; k++) {
-            const uint32_t corner = 3 * face + k, point = point_of(smoothing, corner);
-            if (smoothing->is_uneven[point]) {
-                smoothing->corners[next[point]++] = corner;
-                is_weighed = true;
-            }
+    struct scene_face_batch batch = {.count = 0};
+    const uint32_t *const point_of_vertex = smoothing->point, total = face_total(smoothing);
+    for (uint32_t face = 0; face < total; face++) {
+        const uint32_t *const corner = mesh->indices + 3 * (size_t)face;
+        if (points[point_of_vertex[corner[0]]].is_uneven || points[point_of_vertex[corner[1]]].is_uneven ||
+            points[point_of_vertex[corner[2]]].is_uneven) {
+            batch.faces[batch.count++] = face;
         }
-        if (is_weighed) {
-            double normal[3];
-            weigh_face(mesh, face, normal, smoothing->weights + 3 * (size_t)face);
+        if (batch.count == SCENE_FACE_BATCH) {
+            take_corners(smoothing, &batch, next);
         }
+    }
+    if (batch.count > 0) {
+        take_corners(smoothing, &batch, next);
     }
 }
 
 // Entry ---------------------------------------------------------------------------------------------
 
-// Make the new vertices, point by point. Set `place` of the corners at uneven points, and the new vertex of each even
-// point in `face_count`, which is used no more.
-static void make_vertices(struct smoothing *smoothing, uint32_t *place)
+// Make the new vertices, point by point. Set those of the corners at uneven points, and of each even point.
+static void make_vertices(struct smoothing *smoothing)
 {
-    for (uint32_t point = 0; point < smoothing->mesh->vertex_count; point++) {
-        if (smoothing->is_uneven[point]) {
-            const uint32_t first = smoothing->start[point], end = smoothing->start[point + 1];
-            smooth_point(smoothing, smoothing->corners + first, end - first, place);
-        } else if (smoothing->face_count[point] > 0) {
-            smoothing->source[smoothing->count] = point;
-            scene_vector_narrow(smoothing->axes[point], smoothing->normals[smoothing->count]);
-            smoothing->face_count[point] = smoothing->count++;
+    for (uint32_t number = 0; number < smoothing->mesh->vertex_count; number++) {
+        struct point *const point = &smoothing->points[number];
+        if (point->is_uneven) {
+            const uint32_t first = smoothing->start[number], end = smoothing->start[number + 1];
+            smooth_point(smoothing, (struct corners){smoothing->corners + first, end - first});
+        } else if (point->face_count > 0) {
+            smoothing->source[smoothing->count] = number;
+            scene_vector_narrow(point->axis, smoothing->normals[smoothing->count]);
+            point->face_count = smoothing->count++;
         }
     }
 }
 
-static void number_corners(const struct smoothing *smoothing, uint32_t *indices, const uint32_t *place)
+// Give the corners of the mesh, of which `corners` are at uneven points, their new vertices.
+static void number_corners(struct smoothing *smoothing, uint32_t *indices, uint32_t corners)
 {
-    const uint32_t count = smoothing->mesh->index_count;
+    const uint32_t vertices = smoothing->mesh->vertex_count, count = smoothing->mesh->index_count;
+    const struct point *const points = smoothing->points;
+    const struct corner *const list = smoothing->corners;
+    // The points of vertices are known no more then. A table of new vertices alone has an eighth of the bytes.
+    uint32_t *const new_vertex = smoothing->point;
+    for (uint32_t i = 0; i < vertices; i++) {
+        new_vertex[i] = points[new_vertex[i]].face_count;
+    }
     for (uint32_t i = 0; i < count; i++) {
-        const uint32_t point = smoothing->point[indices[i]];
-        indices[i] = smoothing->is_uneven[point] ? place[i] : smoothing->face_count[point];
+        indices[i] = new_vertex[indices[i]];
+    }
+    for (uint32_t i = 0; i < corners; i++) {
+        indices[list[i].number] = list[i].vertex;
     }
 }
 
 static void release(struct smoothing *smoothing)
 {
-    void *const arrays[] = {smoothing->faces,     smoothing->folded,  smoothing->point,
-                            smoothing->axes,      smoothing->weights, smoothing->start,
-                            smoothing->corners,   smoothing->source,  smoothing->face_count,
-                            smoothing->is_uneven, smoothing->newest};
+    void *const arrays[] = {smoothing->faces, smoothing->folded,  smoothing->point,  smoothing->points,
+                            smoothing->start, smoothing->corners, smoothing->source, smoothing->newest};
     for (size_t i = 0; i < sizeof arrays / sizeof arrays[0]; i++) {
         free(arrays[i]);
     }
@@ -359,25 +396,23 @@ void scene_import_make_smooth(struct scene_import *import, struct scene_mesh *me
     const uint32_t vertices = mesh->vertex_count;
     struct smoothing smoothing = {.mesh = mesh};
     smoothing.point = scene_import_weld_positions(import, mesh);
-    smoothing.faces = scene_import_allocate(import, face_total(&smoothing), sizeof *smoothing.faces);
-    smoothing.axes = scene_import_allocate(import, vertices, sizeof *smoothing.axes);
-    smoothing.face_count = scene_import_allocate(import, vertices, sizeof *smoothing.face_count);
-    smoothing.is_uneven = scene_import_allocate(import, vertices, sizeof *smoothing.is_uneven);
+    smoothing.faces = scene_import_allocate_any(import, face_total(&smoothing), sizeof *smoothing.faces);
+    smoothing.points = scene_import_allocate(import, vertices, sizeof *smoothing.points);
     sum_all(&smoothing);
     find_folds(import, &smoothing, polygons);
     const uint32_t corners = find_uneven(&smoothing);
-    smoothing.source = scene_import_allocate(import, mesh->index_count, sizeof *smoothing.source);
-    smoothing.normals = scene_import_allocate(import, mesh->index_count, sizeof *smoothing.normals);
+    // A new vertex is of a point, or of a corner at an uneven one.
+    const size_t most = (size_t)vertices + corners;
+    smoothing.source = scene_import_allocate_any(import, most, sizeof *smoothing.source);
+    smoothing.normals = scene_import_allocate_any(import, most, sizeof *smoothing.normals);
     if (corners > 0) {
         sort_corners(import, &smoothing, corners);
     }
-    uint32_t *const place = scene_import_allocate(import, corners > 0 ? mesh->index_count : 0, sizeof *place);
-    make_vertices(&smoothing, place);
+    make_vertices(&smoothing);
     if (corners > 0 || smoothing.count < vertices) {
-        number_corners(&smoothing, mesh->indices, place);
+        number_corners(&smoothing, mesh->indices, corners);
         scene_import_gather_vertices(import, mesh, smoothing.source, smoothing.count);
     }
     mesh->normals = smoothing.normals;
-    free(place);
     release(&smoothing);
 }

@@ -41,16 +41,25 @@ static inline void scene_vector_to_normal(const double vector[3], float normal[3
     scene_vector_narrow(direction, normal);
 }
 
-/// Return the angle whose cosine is `cosine`, in radians. The error is below 7e-5 (Abramowitz and Stegun 4.4.45), ample
-/// for a weight, and equal on every machine.
+/// Return the angle whose cosine is `cosine`, which is from 0 to 1, in radians. The error is below 7e-5 (Abramowitz and
+/// Stegun 4.4.45), ample for a weight, and equal on every machine.
+static inline double scene_vector_acute_angle(double cosine)
+{
+    const double polynomial = 1.5707288 + cosine * (-0.2121144 + cosine * (0.0742610 - 0.0187293 * cosine));
+    return __builtin_sqrt(1 - cosine) * polynomial;
+}
+
+/// Return the angle whose cosine is `cosine`, where `acute` is that of its size.
+static inline double scene_vector_whole_angle(double cosine, double acute)
+{
+    return cosine < 0 ? 3.14159265358979324 - acute : acute;
+}
+
+/// Return the angle whose cosine is `cosine`, held between −1 and 1.
 static inline double scene_vector_angle(double cosine)
 {
     const double x = cosine < 0 ? -cosine : cosine;
-    const double clamped = x > 1 ? 1 : x;
-    const double polynomial =
-        1.5707288 + clamped * (-0.2121144 + clamped * (0.0742610 - 0.0187293 * clamped));
-    const double angle = __builtin_sqrt(1 - clamped) * polynomial;
-    return cosine < 0 ? 3.14159265358979324 - angle : angle;
+    return scene_vector_whole_angle(cosine, scene_vector_acute_angle(x > 1 ? 1 : x));
 }
 
 #endif

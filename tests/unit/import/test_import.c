@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The OBJ and PLY readers, and the parts they rest on: numbers, polygons, normals, the way to the parent.
+#include "import/builder/face_weights.h"
 #include "import/builder/polygon.h"
 #include "import/blob.h"
 #include "import/builder/text_lines.h"
+#include "import/builder/vector.h"
 #include "model_files.h"
 
 #include <math.h>
@@ -635,7 +637,48 @@ static void test_blob(void **state)
     free(original);
 }
 
+// A batch of faces is weighed as each face by itself, by the formulas of doubles, bit for bit. One face has no area, and one
+// batch is not full.
+static void test_batch_of_faces(void **state)
+{
+    (void)state;
+    enum { FACES = SCENE_FACE_BATCH - 3 };
+    float positions[3 * FACES][3];
+    uint32_t indices[3 * FACES], random = 1;
+    for (uint32_t i = 0; i < 9 * FACES; i++) {
+        random = random * 1664525 + 1013904223;
+        positions[i / 3][i % 3] = i < 9 ? 1.0f : (float)(random >> 8) * 0x1p-20f - 8.0f;
+        indices[i / 3] = i / 3;
+    }
+    const struct scene_mesh mesh = {
+        .indices = indices, .positions = positions, .vertex_count = 3 * FACES, .index_count = 3 * FACES};
+    struct scene_face_batch batch = {.count = FACES};
+    for (uint32_t i = 0; i < FACES; i++) {
+        batch.faces[i] = i;
+    }
+    scene_face_batch_weigh(&mesh, &batch);
+    for (uint32_t i = 0; i < FACES; i++) {
+        double ab[3], ac[3], bc[3], normal[3];
+        scene_vector_between(positions[3 * i], positions[3 * i + 1], ab);
+        scene_vector_between(positions[3 * i], positions[3 * i + 2], ac);
+        scene_vector_between(positions[3 * i + 1], positions[3 * i + 2], bc);
+        scene_cross(ab, ac, normal);
+        const double area = __builtin_sqrt(scene_dot(normal, normal));
+        scene_vector_unit(ab);
+        scene_vector_unit(ac);
+        scene_vector_unit(bc);
+        const double weights[3] = {area * scene_vector_angle(scene_dot(ab, ac)),
+                                   area * scene_vector_angle(-scene_dot(ab, bc)),
+                                   area * scene_vector_angle(scene_dot(ac, bc))};
+        for (int c = 0; c < 3; c++) {
+            assert_true(batch.weights[c][i] == weights[c]);
+            assert_true(batch.normals[c][i] == (area > 0 ? normal[c] / area : 0));
+        }
+    }
+}
+
 static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_batch_of_faces),
     cmocka_unit_test(test_numbers),
     cmocka_unit_test(test_polygons),
     cmocka_unit_test(test_large_polygons),
