@@ -61,6 +61,50 @@ static void begin_commands(struct rig *rig)
     CHECK(vkBeginCommandBuffer(rig->commands, &begin));
 }
 
+// Features of extensions that Zink asks for, and extensions without any.
+static const char *const extensions[] = {
+    VK_KHR_CREATE_RENDERPASS_2_EXTENSION_NAME,     VK_KHR_DEPTH_STENCIL_RESOLVE_EXTENSION_NAME,
+    VK_KHR_DYNAMIC_RENDERING_EXTENSION_NAME,       VK_KHR_IMAGE_FORMAT_LIST_EXTENSION_NAME,
+    VK_KHR_IMAGELESS_FRAMEBUFFER_EXTENSION_NAME,   VK_KHR_TIMELINE_SEMAPHORE_EXTENSION_NAME,
+    VK_EXT_CUSTOM_BORDER_COLOR_EXTENSION_NAME,     VK_EXT_DEPTH_CLIP_ENABLE_EXTENSION_NAME,
+    VK_EXT_INDEX_TYPE_UINT8_EXTENSION_NAME,        VK_EXT_LINE_RASTERIZATION_EXTENSION_NAME,
+    VK_EXT_PROVOKING_VERTEX_EXTENSION_NAME,        VK_EXT_SCALAR_BLOCK_LAYOUT_EXTENSION_NAME,
+    VK_EXT_VERTEX_ATTRIBUTE_DIVISOR_EXTENSION_NAME};
+
+// Ask the device for all features of these structs, and enable them.
+struct features {
+    VkPhysicalDeviceImagelessFramebufferFeatures imageless;
+    VkPhysicalDeviceDynamicRenderingFeatures rendering;
+    VkPhysicalDeviceTimelineSemaphoreFeatures timelines;
+    VkPhysicalDeviceMultiviewFeatures views;
+    VkPhysicalDeviceCustomBorderColorFeaturesEXT borders;
+    VkPhysicalDeviceDepthClipEnableFeaturesEXT clip;
+    VkPhysicalDeviceIndexTypeUint8FeaturesEXT indices;
+    VkPhysicalDeviceLineRasterizationFeaturesEXT lines;
+    VkPhysicalDeviceProvokingVertexFeaturesEXT provoking;
+    VkPhysicalDeviceScalarBlockLayoutFeatures layouts;
+    VkPhysicalDeviceVertexAttributeDivisorFeaturesEXT divisors;
+    VkPhysicalDeviceFeatures2 all;
+};
+
+static void ask_features(VkPhysicalDevice physical, struct features *f)
+{
+    *f = (struct features){
+        .imageless = {VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_IMAGELESS_FRAMEBUFFER_FEATURES, NULL},
+        .rendering = {VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DYNAMIC_RENDERING_FEATURES, &f->imageless},
+        .timelines = {VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_TIMELINE_SEMAPHORE_FEATURES, &f->rendering},
+        .views = {VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MULTIVIEW_FEATURES, &f->timelines},
+        .borders = {VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_CUSTOM_BORDER_COLOR_FEATURES_EXT, &f->views},
+        .clip = {VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DEPTH_CLIP_ENABLE_FEATURES_EXT, &f->borders},
+        .indices = {VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_INDEX_TYPE_UINT8_FEATURES_EXT, &f->clip},
+        .lines = {VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_LINE_RASTERIZATION_FEATURES_EXT, &f->indices},
+        .provoking = {VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROVOKING_VERTEX_FEATURES_EXT, &f->lines},
+        .layouts = {VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_SCALAR_BLOCK_LAYOUT_FEATURES, &f->provoking},
+        .divisors = {VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VERTEX_ATTRIBUTE_DIVISOR_FEATURES_EXT, &f->layouts},
+        .all = {VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2, &f->divisors, {0}}};
+    vkGetPhysicalDeviceFeatures2(physical, &f->all);
+}
+
 void rig_open(struct rig *rig)
 {
     *rig = (struct rig){.instance = NULL};
@@ -70,33 +114,14 @@ void rig_open(struct rig *rig)
     const float priority = 1;
     const VkDeviceQueueCreateInfo queue = {
         .sType = VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO, .queueCount = 1, .pQueuePriorities = &priority};
-    VkPhysicalDeviceFeatures features;
-    vkGetPhysicalDeviceFeatures(rig->physical, &features);
-    static const char *const extensions[] = {
-        VK_KHR_CREATE_RENDERPASS_2_EXTENSION_NAME,   VK_KHR_DEPTH_STENCIL_RESOLVE_EXTENSION_NAME,
-        VK_KHR_DYNAMIC_RENDERING_EXTENSION_NAME,     VK_KHR_IMAGE_FORMAT_LIST_EXTENSION_NAME,
-        VK_KHR_IMAGELESS_FRAMEBUFFER_EXTENSION_NAME, VK_KHR_TIMELINE_SEMAPHORE_EXTENSION_NAME};
-    VkPhysicalDeviceImagelessFramebufferFeatures imageless = {
-        .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_IMAGELESS_FRAMEBUFFER_FEATURES,
-        .imagelessFramebuffer = VK_TRUE};
-    VkPhysicalDeviceDynamicRenderingFeatures rendering = {
-        .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DYNAMIC_RENDERING_FEATURES,
-        .pNext = &imageless,
-        .dynamicRendering = VK_TRUE};
-    VkPhysicalDeviceTimelineSemaphoreFeatures timelines = {
-        .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_TIMELINE_SEMAPHORE_FEATURES,
-        .pNext = &rendering,
-        .timelineSemaphore = VK_TRUE};
-    VkPhysicalDeviceMultiviewFeatures views = {.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MULTIVIEW_FEATURES,
-                                               .pNext = &timelines,
-                                               .multiview = VK_TRUE};
+    struct features features;
+    ask_features(rig->physical, &features);
     const VkDeviceCreateInfo info = {.sType = VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO,
-                                     .pNext = &views,
+                                     .pNext = &features.all,
                                      .queueCreateInfoCount = 1,
                                      .pQueueCreateInfos = &queue,
                                      .enabledExtensionCount = sizeof extensions / sizeof *extensions,
-                                     .ppEnabledExtensionNames = extensions,
-                                     .pEnabledFeatures = &features};
+                                     .ppEnabledExtensionNames = extensions};
     CHECK(vkCreateDevice(rig->physical, &info, NULL, &rig->device));
     vkGetDeviceQueue(rig->device, 0, 0, &rig->queue);
     const VkCommandPoolCreateInfo pool = {.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO};

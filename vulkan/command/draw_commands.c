@@ -77,6 +77,11 @@ static void tell_dynamic(struct vulkan_replay *replay, VkPipeline pipeline, bool
         const struct rhw_depth_bias none = {.constant = 0};
         rhw_pass_set_depth_bias(replay->context, replay->pass.pass, &none);
     }
+    if (!pipeline->has_line_stipple && (parts & VULKAN_DYNAMIC_LINE_STIPPLE)) {
+        parts &= ~(uint32_t)VULKAN_DYNAMIC_LINE_STIPPLE;
+        const struct rhw_line_stipple none = {.factor = 0};
+        rhw_pass_set_line_stipple(replay->context, replay->pass.pass, &none);
+    }
     vulkan_dynamic_apply(&bound->dynamic, parts, replay->context, replay->pass.pass);
     bound->news_dynamic &= ~parts;
 }

@@ -114,6 +114,28 @@ void vkCmdSetDepthBounds(VkCommandBuffer buffer, float least, float most)
     record_numbers(buffer, replay_depth_bounds, (const float[4]){least, most});
 }
 
+struct set_stipple {
+    struct vulkan_command command;
+    uint32_t factor;
+    uint16_t pattern;
+};
+
+static void replay_line_stipple(struct vulkan_replay *replay, const struct vulkan_command *command)
+{
+    const struct set_stipple *const set = (const struct set_stipple *)command;
+    vulkan_dynamic_set_line_stipple(&replay->bound.dynamic, set->factor, set->pattern);
+    replay->bound.news_dynamic |= VULKAN_DYNAMIC_LINE_STIPPLE;
+}
+
+void vkCmdSetLineStippleEXT(VkCommandBuffer buffer, uint32_t factor, uint16_t pattern)
+{
+    struct set_stipple *const set = vulkan_record(buffer, sizeof *set, replay_line_stipple);
+    if (set) {
+        set->factor = factor;
+        set->pattern = pattern;
+    }
+}
+
 // Stencil --------------------------------------------------------------------------------------------
 
 struct set_stencil {

@@ -83,6 +83,30 @@ static void fill_maintenance3(VkPhysicalDeviceMaintenance3Properties *maintenanc
     maintenance->maxMemoryAllocationSize = VULKAN_MAX_ALLOCATION;
 }
 
+static void fill_extension_properties(VkBaseOutStructure *one)
+{
+    void *const any = one;
+    switch ((int)one->sType) {
+    case VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_CUSTOM_BORDER_COLOR_PROPERTIES_EXT:
+        ((VkPhysicalDeviceCustomBorderColorPropertiesEXT *)any)->maxCustomBorderColorSamplers =
+            rhw_limits_get().max_sampler_allocation_count;
+        break;
+    case VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_LINE_RASTERIZATION_PROPERTIES_EXT:
+        ((VkPhysicalDeviceLineRasterizationPropertiesEXT *)any)->lineSubPixelPrecisionBits =
+            rhw_limits_get().sub_pixel_precision_bits;
+        break;
+    case VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROVOKING_VERTEX_PROPERTIES_EXT:
+        ((VkPhysicalDeviceProvokingVertexPropertiesEXT *)any)->provokingVertexModePerPipeline = VK_TRUE;
+        ((VkPhysicalDeviceProvokingVertexPropertiesEXT *)any)
+            ->transformFeedbackPreservesTriangleFanProvokingVertex = VK_FALSE;
+        break;
+    case VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VERTEX_ATTRIBUTE_DIVISOR_PROPERTIES_EXT:
+        ((VkPhysicalDeviceVertexAttributeDivisorPropertiesEXT *)any)->maxVertexAttribDivisor = UINT32_MAX;
+        break;
+    default: break;
+    }
+}
+
 static void fill_properties(VkBaseOutStructure *one)
 {
     void *const any = one;
@@ -106,7 +130,7 @@ static void fill_properties(VkBaseOutStructure *one)
         ((VkPhysicalDeviceTimelineSemaphoreProperties *)any)->maxTimelineSemaphoreValueDifference =
             UINT64_MAX;
         break;
-    default: break;
+    default: fill_extension_properties(one); break;
     }
 }
 

@@ -16,6 +16,7 @@ uint32_t vulkan_dynamic_of(VkDynamicState state)
     case VK_DYNAMIC_STATE_STENCIL_COMPARE_MASK: return VULKAN_DYNAMIC_COMPARE_MASK;
     case VK_DYNAMIC_STATE_STENCIL_WRITE_MASK: return VULKAN_DYNAMIC_WRITE_MASK;
     case VK_DYNAMIC_STATE_STENCIL_REFERENCE: return VULKAN_DYNAMIC_REFERENCE;
+    case VK_DYNAMIC_STATE_LINE_STIPPLE_EXT: return VULKAN_DYNAMIC_LINE_STIPPLE;
     default: return 0;
     }
 }
@@ -88,6 +89,12 @@ void vulkan_dynamic_set_depth_bias(struct vulkan_dynamic_state *state, float con
         .constant = finite_or_0(constant), .slope = finite_or_0(slope), .clamp = finite_or_0(clamp)};
 }
 
+void vulkan_dynamic_set_line_stipple(struct vulkan_dynamic_state *state, uint32_t factor, uint16_t pattern)
+{
+    const uint32_t most = RHW_MAX_LINE_STIPPLE_FACTOR;
+    state->line_stipple = (struct rhw_line_stipple){(int)(factor < most ? factor : most), pattern};
+}
+
 void vulkan_dynamic_set_depth_bounds(struct vulkan_dynamic_state *state, float least, float most)
 {
     state->depth_bounds[0] = clamped(least, 0, 1);
@@ -128,6 +135,7 @@ void vulkan_dynamic_copy(struct vulkan_dynamic_state *to, const struct vulkan_dy
     }
     to->line_width = parts & VULKAN_DYNAMIC_LINE_WIDTH ? from->line_width : to->line_width;
     to->depth_bias = parts & VULKAN_DYNAMIC_DEPTH_BIAS ? from->depth_bias : to->depth_bias;
+    to->line_stipple = parts & VULKAN_DYNAMIC_LINE_STIPPLE ? from->line_stipple : to->line_stipple;
     if (parts & VULKAN_DYNAMIC_BLEND_CONSTANT) {
         memcpy(to->blend_constant, from->blend_constant, sizeof to->blend_constant);
     }
@@ -161,6 +169,9 @@ void vulkan_dynamic_apply(const struct vulkan_dynamic_state *state, uint32_t par
     }
     if (parts & VULKAN_DYNAMIC_DEPTH_BIAS) {
         rhw_pass_set_depth_bias(context, pass, &state->depth_bias);
+    }
+    if (parts & VULKAN_DYNAMIC_LINE_STIPPLE) {
+        rhw_pass_set_line_stipple(context, pass, &state->line_stipple);
     }
     if (parts & VULKAN_DYNAMIC_BLEND_CONSTANT) {
         rhw_pass_set_blend_constant(context, pass, state->blend_constant);

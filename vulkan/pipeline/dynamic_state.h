@@ -20,7 +20,8 @@ enum vulkan_dynamic {
     VULKAN_DYNAMIC_COMPARE_MASK = 1 << 6,
     VULKAN_DYNAMIC_WRITE_MASK = 1 << 7,
     VULKAN_DYNAMIC_REFERENCE = 1 << 8,
-    VULKAN_DYNAMIC_ALL = (1 << 9) - 1
+    VULKAN_DYNAMIC_LINE_STIPPLE = 1 << 9,
+    VULKAN_DYNAMIC_ALL = (1 << 10) - 1
 };
 
 struct vulkan_dynamic_state {
@@ -29,6 +30,7 @@ struct vulkan_dynamic_state {
     uint32_t viewport_count, scissor_count; // how many are set, from 0 on
     float line_width;
     struct rhw_depth_bias depth_bias;
+    struct rhw_line_stipple line_stipple;
     float blend_constant[4];
     float depth_bounds[2];
     struct rhw_stencil_masks masks;
@@ -46,6 +48,7 @@ void vulkan_dynamic_set_scissors(struct vulkan_dynamic_state *state, uint32_t fi
 void vulkan_dynamic_set_line_width(struct vulkan_dynamic_state *state, float width);
 void vulkan_dynamic_set_depth_bias(struct vulkan_dynamic_state *state, float constant, float clamp,
                                    float slope);
+void vulkan_dynamic_set_line_stipple(struct vulkan_dynamic_state *state, uint32_t factor, uint16_t pattern);
 void vulkan_dynamic_set_depth_bounds(struct vulkan_dynamic_state *state, float least, float most);
 void vulkan_dynamic_set_compare_mask(struct vulkan_dynamic_state *state, VkStencilFaceFlags faces,
                                      uint32_t mask);

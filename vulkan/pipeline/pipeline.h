@@ -38,6 +38,7 @@ struct VkPipeline_T {
     uint32_t samples;            ///< samples of a pixel
     bool shades_samples;         ///< the fragment function is called for every sample
     bool has_depth_bias;         ///< the depth bias counts, whether a command or `state` gives it
+    bool has_line_stipple;       ///< the stipple of lines counts, whether a command or `state` gives it
     uint32_t vertex_buffers;     ///< bit i: an attribute reads vertex buffer i
     struct vulkan_dynamic_state state;
     uint32_t dynamic; ///< or-ed enum vulkan_dynamic: parts that commands set, in place of `state`

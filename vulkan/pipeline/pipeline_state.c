@@ -34,14 +34,29 @@ static const VkVertexInputAttributeDescription *find_attribute(
     return NULL;
 }
 
-// In Vulkan all vertices read element 0 of a buffer with stride 0, and all instances too.
-static struct rhw_vertex_layout layout_of(const VkVertexInputBindingDescription *buffer)
+// Return how many instances read one element of a buffer; 0 means all.
+static uint32_t divisor_of(const VkPipelineVertexInputStateCreateInfo *input, uint32_t buffer)
 {
-    const bool is_constant = buffer->stride == 0;
-    return (struct rhw_vertex_layout){.stride = buffer->stride,
-                                      .constant = is_constant,
-                                      .per_instance =
-                                          !is_constant && buffer->inputRate == VK_VERTEX_INPUT_RATE_INSTANCE};
+    const VkPipelineVertexInputDivisorStateCreateInfoEXT *const given = vulkan_chain_find(
+        input->pNext, VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_DIVISOR_STATE_CREATE_INFO_EXT);
+    for (uint32_t i = 0; given && i < given->vertexBindingDivisorCount; i++) {
+        if (given->pVertexBindingDivisors[i].binding == buffer) {
+            return given->pVertexBindingDivisors[i].divisor;
+        }
+    }
+    return 1;
+}
+
+// In Vulkan all vertices read element 0 of a buffer with stride 0, and all instances too.
+static struct rhw_vertex_layout layout_of(const VkPipelineVertexInputStateCreateInfo *input,
+                                          const VkVertexInputBindingDescription *buffer)
+{
+    const bool by_instance = buffer->stride != 0 && buffer->inputRate == VK_VERTEX_INPUT_RATE_INSTANCE;
+    const uint32_t divisor = by_instance ? divisor_of(input, buffer->binding) : 0;
+    return (struct rhw_vertex_layout){.stride = divisor != 0 || !by_instance ? buffer->stride : 0,
+                                      .constant = by_instance ? divisor == 0 : buffer->stride == 0,
+                                      .per_instance = by_instance,
+                                      .instance_step = divisor};
 }
 
 // Only attributes that the shader reads count: a draw need not bind the buffers of others. Locations between them take
@@ -60,7 +75,7 @@ static void fill_vertex_input(VkPipeline pipeline, const VkPipelineVertexInputSt
         }
         def->attributes[location] =
             (struct rhw_attribute){.format = format, .buffer = (int)given->binding, .offset = given->offset};
-        def->buffers[given->binding] = layout_of(find_buffer(input, given->binding));
+        def->buffers[given->binding] = layout_of(input, find_buffer(input, given->binding));
         def->buffer_count =
             def->buffer_count > (int)given->binding ? def->buffer_count : (int)given->binding + 1;
         pipeline->vertex_buffers |= 1u << given->binding;
@@ -80,7 +95,6 @@ static void fill_assembly(struct rhw_pipeline_def *def,
 {
     def->topology = vulkan_topology(assembly->topology);
     def->primitive_restart = assembly->primitiveRestartEnable;
-    def->provoking = RHW_PROVOKING_FIRST;
 }
 
 // Rasterization --------------------------------------------------------------------------------------
@@ -92,6 +106,41 @@ static void fill_viewports(VkPipeline pipeline, const VkPipelineViewportStateCre
     }
     if (given->pScissors && !(pipeline->dynamic & VULKAN_DYNAMIC_SCISSOR)) {
         vulkan_dynamic_set_scissors(&pipeline->state, 0, given->scissorCount, given->pScissors);
+    }
+}
+
+static void fill_lines(VkPipeline pipeline, const VkPipelineRasterizationLineStateCreateInfoEXT *given)
+{
+    struct rhw_pipeline_def *const def = &pipeline->def;
+    switch (given->lineRasterizationMode) {
+    case VK_LINE_RASTERIZATION_MODE_BRESENHAM_EXT: def->line_mode = RHW_LINE_BRESENHAM; break;
+    case VK_LINE_RASTERIZATION_MODE_RECTANGULAR_SMOOTH_EXT:
+        def->line_mode = RHW_LINE_RECTANGULAR_SMOOTH;
+        break;
+    default: def->line_mode = RHW_LINE_RECTANGULAR; break;
+    }
+    pipeline->has_line_stipple = given->stippledLineEnable;
+    vulkan_dynamic_set_line_stipple(&pipeline->state, given->lineStippleFactor, given->lineStipplePattern);
+}
+
+// Set what extensions add.
+static void fill_more_rasterization(VkPipeline pipeline, const void *chain)
+{
+    struct rhw_pipeline_def *const def = &pipeline->def;
+    const VkPipelineRasterizationDepthClipStateCreateInfoEXT *const clip =
+        vulkan_chain_find(chain, VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_DEPTH_CLIP_STATE_CREATE_INFO_EXT);
+    const VkPipelineRasterizationProvokingVertexStateCreateInfoEXT *const provoking = vulkan_chain_find(
+        chain, VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_PROVOKING_VERTEX_STATE_CREATE_INFO_EXT);
+    const VkPipelineRasterizationLineStateCreateInfoEXT *const lines =
+        vulkan_chain_find(chain, VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_LINE_STATE_CREATE_INFO_EXT);
+    if (clip) {
+        def->depth_clip_disabled = !clip->depthClipEnable;
+    }
+    if (provoking && provoking->provokingVertexMode == VK_PROVOKING_VERTEX_MODE_LAST_VERTEX_EXT) {
+        def->provoking = RHW_PROVOKING_LAST;
+    }
+    if (lines) {
+        fill_lines(pipeline, lines);
     }
 }
 
@@ -111,6 +160,7 @@ static void fill_rasterization(VkPipeline pipeline, const VkPipelineRasterizatio
     pipeline->has_depth_bias = given->depthBiasEnable;
     vulkan_dynamic_set_depth_bias(&pipeline->state, given->depthBiasConstantFactor, given->depthBiasClamp,
                                   given->depthBiasSlopeFactor);
+    fill_more_rasterization(pipeline, given->pNext);
 }
 
 static void fill_multisampling(VkPipeline pipeline, const VkPipelineMultisampleStateCreateInfo *given)

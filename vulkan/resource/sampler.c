@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "sampler.h"
 
+#include "device/chain.h"
+
+#include <string.h>
+
 enum rhw_compare vulkan_compare(VkCompareOp compare)
 {
     static const enum rhw_compare compares[] = {
@@ -46,6 +50,24 @@ static void set_border(VkBorderColor color, struct rhw_sampler_def *def)
     }
 }
 
+// Return true if a sampler has a border of its own, and set it.
+static bool set_own_border(const VkSamplerCreateInfo *info, struct rhw_sampler_def *def)
+{
+    const VkSamplerCustomBorderColorCreateInfoEXT *const own =
+        vulkan_chain_find(info->pNext, VK_STRUCTURE_TYPE_SAMPLER_CUSTOM_BORDER_COLOR_CREATE_INFO_EXT);
+    const bool is_own = info->borderColor == VK_BORDER_COLOR_FLOAT_CUSTOM_EXT ||
+                        info->borderColor == VK_BORDER_COLOR_INT_CUSTOM_EXT;
+    if (!is_own || !own) {
+        return false;
+    }
+    if (info->borderColor == VK_BORDER_COLOR_FLOAT_CUSTOM_EXT) {
+        memcpy(def->border, own->customBorderColor.float32, sizeof def->border);
+    } else {
+        memcpy(def->border_integer, own->customBorderColor.int32, sizeof def->border_integer);
+    }
+    return true;
+}
+
 static void set_levels(const VkSamplerCreateInfo *info, struct rhw_sampler_def *def)
 {
     def->mip_filter =
@@ -64,7 +86,9 @@ static struct rhw_sampler_def definition(const VkSamplerCreateInfo *info)
     def.address_u = address_of(info->addressModeU);
     def.address_v = address_of(info->addressModeV);
     def.address_w = address_of(info->addressModeW);
-    set_border(info->borderColor, &def);
+    if (!set_own_border(info, &def)) {
+        set_border(info->borderColor, &def);
+    }
     if (info->unnormalizedCoordinates) {
         def.unnormalized = true;
         def.mip_filter = RHW_MIP_FILTER_NONE;

@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: MIT
+// What extensions add to draws, samplers and shaders, which OpenGL has and Mesa's Zink asks for.
+#include <string.h>
+
+#include "border_frag.h"
+#include "flat_frag.h"
+#include "packed_comp.h"
+#include "stand_vert.h"
+#include "vulkan_picture.h"
+
+static const uint32_t background = 0x400000ff, red = 0xff0000ff, green = 0x00ff00ff, blue = 0x0000ffff;
+
+struct corner {
+    float position[3];
+};
+
+static const uint8_t colors[3][4] = {{255, 0, 0, 255}, {0, 255, 0, 255}, {0, 0, 255, 255}};
+
+// A picture that is drawn with a pipeline, of which a test changes the state before it begins.
+struct drawing {
+    struct rig rig;
+    struct picture picture;
+    struct picture_state state;
+};
+
+// Corners come from buffer 0 and colours from buffer 1.
+static void open_drawing(struct drawing *d)
+{
+    rig_open(&d->rig);
+    picture_init(&d->picture, &d->rig, false, VK_SAMPLE_COUNT_1_BIT);
+    picture_state(&d->state, &d->picture, rig_shader(&d->rig, stand_vert, sizeof stand_vert),
+                  rig_shader(&d->rig, flat_frag, sizeof flat_frag), rig_layout(&d->rig, NULL, 0, 0));
+    d->state.buffers[0] = (VkVertexInputBindingDescription){0, sizeof(struct corner), 0};
+    d->state.buffers[1] = (VkVertexInputBindingDescription){1, sizeof colors[0], 0};
+    d->state.attributes[0] = (VkVertexInputAttributeDescription){0, 0, VK_FORMAT_R32G32B32_SFLOAT, 0};
+    d->state.attributes[1] = (VkVertexInputAttributeDescription){1, 1, VK_FORMAT_R8G8B8A8_UNORM, 0};
+    d->state.input.vertexBindingDescriptionCount = d->state.input.vertexAttributeDescriptionCount = 2;
+}
+
+static void begin_drawing(struct drawing *d, const struct corner *corners, size_t size)
+{
+    VkPipeline pipeline = picture_pipeline(&d->picture, &d->state, d->picture.pass, 0);
+    const struct rig_buffer buffers[2] = {rig_buffer(&d->rig, size, corners),
+                                          rig_buffer(&d->rig, sizeof colors, colors)};
+    picture_begin(&d->picture);
+    vkCmdBindPipeline(d->rig.commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline);
+    for (uint32_t i = 0; i < 2; i++) {
+        vkCmdBindVertexBuffers(d->rig.commands, i, 1, &buffers[i].buffer, &(VkDeviceSize){0});
+    }
+}
+
+// Draw, and want the texel at (x, y).
+static void expect_drawn(struct drawing *d, const struct corner *corners, size_t size, uint32_t instances,
+                         const int at[2], uint32_t texel)
+{
+    begin_drawing(d, corners, size);
+    vkCmdDraw(d->rig.commands, (uint32_t)(size / sizeof *corners), instances, 0, 0);
+    picture_end(&d->picture);
+    assert_int_equal(picture_texel(&d->picture, at[0], at[1]), texel);
+    rig_close(&d->rig);
+}
+
+static const struct corner whole[3] = {{{-1, -1, 0}}, {{3, -1, 0}}, {{-1, 3, 0}}};
+
+static void the_last_vertex_may_provoke(void **state)
+{
+    (void)state;
+    for (int last = 0; last < 2; last++) {
+        struct drawing d;
+        open_drawing(&d);
+        const VkPipelineRasterizationProvokingVertexStateCreateInfoEXT provoking = {
+            .sType = VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_PROVOKING_VERTEX_STATE_CREATE_INFO_EXT,
+            .provokingVertexMode =
+                last ? VK_PROVOKING_VERTEX_MODE_LAST_VERTEX_EXT : VK_PROVOKING_VERTEX_MODE_FIRST_VERTEX_EXT};
+        d.state.rasterization.pNext = &provoking;
+        expect_drawn(&d, whole, sizeof whole, 1, (const int[]){30, 30}, last ? blue : red);
+    }
+}
+
+static void instances_share_elements(void **state)
+{
+    (void)state;
+    const struct corner bar[3] = {{{-1, -1, 0}}, {{-0.5f, -1, 0}}, {{-1, 9, 0}}};
+    const uint32_t expected[3][2] = {{red, red}, {blue, green}, {green, red}}; // of divisors
+    for (uint32_t divisor = 0; divisor < 3; divisor++) {
+        for (int i = 0; i < 2; i++) {
+            struct drawing d;
+            open_drawing(&d);
+            const VkVertexInputBindingDivisorDescriptionEXT one = {1, divisor};
+            const VkPipelineVertexInputDivisorStateCreateInfoEXT divisors = {
+                .sType = VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_DIVISOR_STATE_CREATE_INFO_EXT,
+                .vertexBindingDivisorCount = 1,
+                .pVertexBindingDivisors = &one};
+            d.state.buffers[1].inputRate = VK_VERTEX_INPUT_RATE_INSTANCE;
+            d.state.input.pNext = &divisors;
+            expect_drawn(&d, bar, sizeof bar, 3, (const int[]){i == 0 ? 34 : 18, 2}, expected[divisor][i]);
+        }
+    }
+}
+
+static void depth_may_be_beyond_the_view(void **state)
+{
+    (void)state;
+    for (VkBool32 clips = 0; clips < 2; clips++) {
+        struct drawing d;
+        struct corner far[3];
+        open_drawing(&d);
+        memcpy(far, whole, sizeof far);
+        for (int i = 0; i < 3; i++) {
+            far[i].position[2] = 1.5f;
+        }
+        const VkPipelineRasterizationDepthClipStateCreateInfoEXT clip = {
+            .sType = VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_DEPTH_CLIP_STATE_CREATE_INFO_EXT,
+            .depthClipEnable = clips};
+        d.state.rasterization.pNext = &clip;
+        expect_drawn(&d, far, sizeof far, 1, (const int[]){30, 30}, clips ? background : red);
+    }
+}
+
+// A row of pixels by Bresenham's rule, of which the pattern draws 4 and leaves out 4; twice, by a command and not.
+static void lines_are_stippled(void **state)
+{
+    (void)state;
+    const struct corner line[2] = {{{-63.0f / 64, 1.0f / 64, 0}}, {{63.0f / 64, 1.0f / 64, 0}}};
+    const PFN_vkCmdSetLineStippleEXT none = NULL;
+    for (int i = 0; i < 3; i++) {
+        const bool is_set = i == 1, is_whole = i == 2;
+        struct drawing d;
+        open_drawing(&d);
+        VkPipelineRasterizationLineStateCreateInfoEXT lines = {
+            .sType = VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_LINE_STATE_CREATE_INFO_EXT,
+            .lineRasterizationMode = VK_LINE_RASTERIZATION_MODE_BRESENHAM_EXT,
+            .stippledLineEnable = !is_whole,
+            .lineStippleFactor = is_set ? 1 : 2,
+            .lineStipplePattern = is_set ? 0xffff : 0x3333};
+        d.state.rasterization.pNext = &lines;
+        d.state.assembly.topology = VK_PRIMITIVE_TOPOLOGY_LINE_LIST;
+        d.state.dynamic[2] = VK_DYNAMIC_STATE_LINE_STIPPLE_EXT;
+        d.state.dynamics.dynamicStateCount = is_set ? 3 : 2;
+        begin_drawing(&d, line, sizeof line);
+        if (is_set) {
+            const PFN_vkCmdSetLineStippleEXT set =
+                (PFN_vkCmdSetLineStippleEXT)vkGetDeviceProcAddr(d.rig.device, "vkCmdSetLineStippleEXT");
+            assert_true(set != none);
+            set(d.rig.commands, 2, 0x3333);
+        }
+        vkCmdDraw(d.rig.commands, 2, 1, 0, 0);
+        picture_end(&d.picture);
+        for (int x = 0; x < PICTURE_SIZE - 1; x++) {
+            assert_int_equal(picture_texel(&d.picture, x, 32), x % 8 < 4 || is_whole ? red : background);
+        }
+        rig_close(&d.rig);
+    }
+}
+
+static void indices_may_be_bytes(void **state)
+{
+    (void)state;
+    static const uint8_t indices[3] = {2, 0, 1};
+    struct drawing d;
+    open_drawing(&d);
+    begin_drawing(&d, whole, sizeof whole);
+    vkCmdBindIndexBuffer(d.rig.commands, rig_buffer(&d.rig, sizeof indices, indices).buffer, 0,
+                         VK_INDEX_TYPE_UINT8_EXT);
+    vkCmdDrawIndexed(d.rig.commands, 3, 1, 0, 0, 0);
+    picture_end(&d.picture);
+    assert_int_equal(picture_texel(&d.picture, 30, 30), blue);
+    rig_close(&d.rig);
+}
+
+static void borders_have_any_color(void **state)
+{
+    (void)state;
+    struct drawing d;
+    open_drawing(&d);
+    const VkDescriptorSetLayoutBinding binding = {0, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 1,
+                                                  VK_SHADER_STAGE_FRAGMENT_BIT, NULL};
+    VkDescriptorSetLayout set_layout = rig_set_layout(&d.rig, &binding, 1);
+    VkDescriptorSet set = rig_set(&d.rig, set_layout);
+    const VkSamplerCustomBorderColorCreateInfoEXT border = {
+        .sType = VK_STRUCTURE_TYPE_SAMPLER_CUSTOM_BORDER_COLOR_CREATE_INFO_EXT,
+        .customBorderColor = {.float32 = {0, 1, 0.2f, 1}},
+        .format = VK_FORMAT_R8G8B8A8_UNORM};
+    const VkSamplerCreateInfo info = {.sType = VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO,
+                                      .pNext = &border,
+                                      .addressModeU = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_BORDER,
+                                      .borderColor = VK_BORDER_COLOR_FLOAT_CUSTOM_EXT};
+    VkSampler sampler;
+    CHECK(vkCreateSampler(d.rig.device, &info, NULL, &sampler));
+    RIG_KEEP(&d.rig, SAMPLER, sampler);
+    const struct rig_image image =
+        rig_image(&d.rig, VK_FORMAT_R8G8B8A8_UNORM, 4, 4, VK_SAMPLE_COUNT_1_BIT, VK_IMAGE_USAGE_SAMPLED_BIT);
+    rig_barrier(&d.rig, &image, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
+    rig_bind_image(&d.rig, set, 0, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, image.view, sampler,
+                   VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
+    d.state.stages[1].module = rig_shader(&d.rig, border_frag, sizeof border_frag);
+    d.state.layout = rig_layout(&d.rig, &set_layout, 1, 0);
+    begin_drawing(&d, whole, sizeof whole);
+    vkCmdBindDescriptorSets(d.rig.commands, VK_PIPELINE_BIND_POINT_GRAPHICS, d.state.layout, 0, 1, &set, 0,
+                            NULL);
+    vkCmdDraw(d.rig.commands, 3, 1, 0, 0);
+    picture_end(&d.picture);
+    assert_int_equal(picture_texel(&d.picture, 30, 30), 0x00ff33ff);
+    rig_close(&d.rig);
+}
+
+// Float i of the uniforms is i.
+static void members_stand_close_together(void **state)
+{
+    (void)state;
+    struct rig rig;
+    float given[26];
+    for (int i = 0; i < 26; i++) {
+        given[i] = (float)i;
+    }
+    rig_open(&rig);
+    const VkDescriptorSetLayoutBinding bindings[2] = {
+        {0, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 1, VK_SHADER_STAGE_COMPUTE_BIT, NULL},
+        {1, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 1, VK_SHADER_STAGE_COMPUTE_BIT, NULL}};
+    VkDescriptorSetLayout set_layout = rig_set_layout(&rig, bindings, 2);
+    VkPipelineLayout layout = rig_layout(&rig, &set_layout, 1, 0);
+    VkDescriptorSet set = rig_set(&rig, set_layout);
+    const struct rig_buffer uniforms = rig_buffer(&rig, sizeof given, given),
+                            made = rig_buffer(&rig, 20, NULL);
+    rig_bind_buffer(&rig, set, 0, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, uniforms.buffer, 0, VK_WHOLE_SIZE);
+    rig_bind_buffer(&rig, set, 1, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, made.buffer, 0, VK_WHOLE_SIZE);
+    vkCmdBindPipeline(rig.commands, VK_PIPELINE_BIND_POINT_COMPUTE,
+                      rig_compute(&rig, layout, rig_shader(&rig, packed_comp, sizeof packed_comp)));
+    vkCmdBindDescriptorSets(rig.commands, VK_PIPELINE_BIND_POINT_COMPUTE, layout, 0, 1, &set, 0, NULL);
+    vkCmdDispatch(rig.commands, 1, 1, 1);
+    rig_run(&rig);
+    const float expected[5] = {3 + 4, 10 + 14, 23, 24, 25};
+    assert_memory_equal(made.bytes, expected, sizeof expected);
+    rig_close(&rig);
+}
+
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(the_last_vertex_may_provoke),  cmocka_unit_test(instances_share_elements),
+    cmocka_unit_test(depth_may_be_beyond_the_view), cmocka_unit_test(lines_are_stippled),
+    cmocka_unit_test(indices_may_be_bytes),         cmocka_unit_test(borders_have_any_color),
+    cmocka_unit_test(members_stand_close_together),
+};
+
+const struct unit_tests test_vulkan_extensions = UNIT_TESTS(tests, NULL, NULL);
