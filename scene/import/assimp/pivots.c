@@ -3,6 +3,7 @@
 // its keys move it from that matrix, which programs that do not know it write as that of the origin. A pivot, which is
 // counted from there, says so: with keys the parts would stand apart, so assimp gets the file without keys.
 #include "assimp.h"
+#include "smoothing_groups.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -71,15 +72,23 @@ char *scene_assimp_3ds(struct scene_import *import, size_t *size)
     char *const bytes = strcasecmp(import->ending, "3ds") == 0
                             ? scene_import_read_bytes(import->model.path, size, &problem)
                             : NULL;
-    struct look look = {.keys = NULL};
-    if (bytes != NULL) {
-        look_at_chunks(&look, (unsigned char *)bytes, *size, 0);
-    }
-    if (look.keys == NULL || look.meshes < 2 || look.at_origin < look.meshes || look.pivots == 0) {
-        free(bytes);
+    if (bytes == NULL) {
         return NULL;
     }
-    look.keys[0] = look.keys[1] = 0xff; // a chunk of no meaning
-    scene_import_warn(import, "has meshes that say nothing of their places: drawn without keys");
+    struct look look = {.keys = NULL};
+    look_at_chunks(&look, (unsigned char *)bytes, *size, 0);
+    const bool is_lost =
+        look.keys != NULL && look.meshes >= 2 && look.at_origin >= look.meshes && look.pivots > 0;
+    if (is_lost) {
+        look.keys[0] = look.keys[1] = 0xff; // a chunk of no meaning
+        scene_import_warn(import, "has meshes that say nothing of their places: drawn without keys");
+    }
+    struct scene_edits edits = {0};
+    scene_assimp_group_faces(import, &edits, bytes, *size);
+    char *const grouped = edits.count > 0 ? scene_edits_apply(import, &edits, bytes, size) : NULL;
+    if (grouped != NULL || !is_lost) {
+        free(bytes);
+        return grouped;
+    }
     return bytes;
 }

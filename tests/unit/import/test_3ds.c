@@ -5,7 +5,7 @@
 #include <string.h>
 
 struct chunks {
-    unsigned char bytes[1024];
+    unsigned char bytes[2048];
     size_t size;
 };
 
@@ -288,11 +288,107 @@ static void test_lost_places(void **state)
     }
 }
 
+// Put two triangles that meet at an edge, of which the second leans by `slope`. `groups` are those of both, or NULL.
+static void put_fold(struct chunks *chunks, float slope, const uint32_t groups[2])
+{
+    const float points[4][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, -1, -slope}};
+    static const unsigned faces[] = {2, 0, 1, 2, 7, 1, 0, 3, 7}; // a count, then corners and edges
+    const size_t object = begin(chunks, 0x4000);
+    put(chunks, "o", 2);
+    const size_t mesh = begin(chunks, 0x4100), vertices = begin(chunks, 0x4110);
+    put_short(chunks, 4);
+    put(chunks, points, sizeof points);
+    end(chunks, vertices);
+    const size_t list = begin(chunks, 0x4120);
+    for (size_t i = 0; i < sizeof faces / sizeof faces[0]; i++) {
+        put_short(chunks, faces[i]);
+    }
+    if (groups != NULL) {
+        const size_t smoothing = begin(chunks, 0x4150);
+        put(chunks, groups, 2 * sizeof groups[0]);
+        end(chunks, smoothing);
+    }
+    end(chunks, list);
+    end(chunks, mesh);
+    end(chunks, object);
+}
+
+// Faces are smooth where they have a group in common. A face in none is flat, but where a mesh has no groups at all, its
+// faces are smooth except across creases.
+static void test_smoothing(void **state)
+{
+    (void)state;
+    static const struct {
+        float slope;
+        bool has_groups, is_smooth;
+        uint32_t groups[2];
+    } cases[] = {
+        {0.5f, false, true, {0}},    {3, false, false, {0}},      {0.5f, true, false, {0, 0}},
+        {0.5f, true, false, {2, 0}}, {0.5f, true, false, {0, 1}}, {3, true, true, {3, 6}},
+        {0.5f, true, false, {1, 2}},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        struct chunks chunks = {.size = 0};
+        const size_t file = begin(&chunks, 0x4d4d), editor = begin(&chunks, 0x3d3d);
+        put_fold(&chunks, cases[i].slope, cases[i].has_groups ? cases[i].groups : NULL);
+        put_light(&chunks, 0); // behind what has become longer
+        end(&chunks, editor);
+        end(&chunks, file);
+        write_bytes("s.3ds", chunks.bytes, chunks.size);
+        struct scene_model *const model = load("s.3ds");
+        assert_int_equal(model->triangles_drawn, 2);
+        assert_int_equal(model->light_count, 1);
+        assert_int_equal(model->warning_count + model->unsupported_count, 0);
+        const struct scene_mesh *const mesh = &model->meshes[0];
+        if ((mesh->vertex_count == 4) != cases[i].is_smooth) { // corners that share a normal are one vertex
+            fail_msg("case %zu: %u vertices", i, mesh->vertex_count);
+        }
+        scene_model_free(model);
+    }
+}
+
+// There are 32 groups. Of more faces around a point some share one, which are far from each other.
+static void test_many_flat_faces(void **state)
+{
+    (void)state;
+    enum { FACES = 40 };
+    struct chunks chunks = {.size = 0};
+    const size_t file = begin(&chunks, 0x4d4d), editor = begin(&chunks, 0x3d3d),
+                 object = begin(&chunks, 0x4000);
+    put(&chunks, "o", 2);
+    const size_t mesh = begin(&chunks, 0x4100), vertices = begin(&chunks, 0x4110);
+    put_short(&chunks, FACES + 2);
+    for (int i = 0; i < FACES + 2; i++) {
+        put(&chunks, (const float[]){i == 0 ? 0 : 1, (float)i, (float)(i * i)}, 3 * sizeof(float));
+    }
+    end(&chunks, vertices);
+    const size_t list = begin(&chunks, 0x4120);
+    put_short(&chunks, FACES);
+    for (unsigned i = 0; i < FACES; i++) {
+        put(&chunks,
+            (const unsigned char[]){0, 0, (unsigned char)(i + 1), 0, (unsigned char)(i + 2), 0, 7, 0}, 8);
+    }
+    const size_t smoothing = begin(&chunks, 0x4150);
+    for (unsigned i = 0; i < FACES; i++) {
+        put(&chunks, "\0\0\0", 4);
+    }
+    end(&chunks, smoothing);
+    end(&chunks, list);
+    end(&chunks, mesh);
+    end(&chunks, object);
+    end(&chunks, editor);
+    end(&chunks, file);
+    write_bytes("f.3ds", chunks.bytes, chunks.size);
+    struct scene_model *const model = load("f.3ds");
+    assert_int_equal(model->triangles_drawn, FACES);
+    assert_true(model->meshes[0].vertex_count >= 3 * FACES - 2 * (FACES - 32));
+    scene_model_free(model);
+}
+
 static const struct CMUnitTest tests[] = {
-    cmocka_unit_test(test_lost_places),
-    cmocka_unit_test(test_told),
-    cmocka_unit_test(test_wires),
-    cmocka_unit_test(test_decal),
+    cmocka_unit_test(test_lost_places),     cmocka_unit_test(test_smoothing),
+    cmocka_unit_test(test_many_flat_faces), cmocka_unit_test(test_told),
+    cmocka_unit_test(test_wires),           cmocka_unit_test(test_decal),
 };
 
 const struct unit_tests test_3ds = UNIT_TESTS(tests, make_directory, remove_directory);
