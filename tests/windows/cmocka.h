@@ -25,6 +25,9 @@ int test_run(const struct CMUnitTest *tests, size_t count, cmocka_fixture *setup
 
 /// Ends the program with a line that begins with the place.
 _Noreturn void test_fail(const char *file, int line, const char *format, ...);
+/// Ends the test that is running, which has neither passed nor failed.
+_Noreturn void test_skip(void);
+#define skip()             test_skip()
 #define fail_msg(...)      test_fail(__FILE__, __LINE__, __VA_ARGS__)
 #define print_message(...) ((void)printf(__VA_ARGS__))
 
@@ -34,6 +37,8 @@ _Noreturn void test_fail(const char *file, int line, const char *format, ...);
 #define assert_null(a)               test_require((a) == NULL, "%s is NULL", #a)
 #define assert_non_null(a)           test_require((a) != NULL, "%s is not NULL", #a)
 #define assert_ptr_equal(a, b)       test_require((const void *)(a) == (const void *)(b), "%s is %s", #a, #b)
+#define assert_ptr_not_equal(a, b) \
+    test_require((const void *)(a) != (const void *)(b), "%s is not %s", #a, #b)
 
 // As cmocka does, numbers are compared as the widest integers.
 void test_compare_integers(const char *file, int line, const char *text, uintmax_t a, uintmax_t b, int equal);

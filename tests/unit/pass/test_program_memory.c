@@ -26,8 +26,7 @@ static struct tail tail_of(const void *data, size_t size)
     tail.bytes = (unsigned char *)tail.block + tail.length - 4096 - size;
     assert_int_equal(mprotect(tail.bytes + size, 4096, PROT_NONE), 0);
 #else
-    tail.block = malloc(size == 0 ? 1 : size);
-    assert_non_null(tail.block);
+    assert_int_equal(posix_memalign(&tail.block, 64, size == 0 ? 1 : size), 0);
     tail.bytes = tail.block;
 #endif
     if (size != 0) {

@@ -267,6 +267,29 @@ static void test_threads_compile_at_a_time(void **state)
     }
 }
 
+static void test_fragments_have_no_shuffle(void **state)
+{
+    (void)state;
+    static const char text[] = "#extension GL_KHR_shader_subgroup_shuffle : require\n"
+                               "layout(location = 0) in vec4 color;\n"
+                               "layout(location = 0) out vec4 target;\n"
+                               "void main()\n"
+                               "{\n"
+                               "    target = subgroupShuffleXor(color, 1u);\n"
+                               "}\n";
+    char message[RHW_SHADER_MESSAGE];
+    struct glsl_code code;
+    rhw_shader *shader;
+    need_glslang();
+    if (!compile(text, NULL, &code, message)) {
+        fail_msg("%s", message);
+    }
+    const struct rhw_shader_def def = {.stage = RHW_SHADER_FRAGMENT};
+    assert_int_equal(rhw_shader_create(code.words, code.size, &def, &shader, message), RHW_ERROR_MISUSE);
+    assert_non_null(strstr(message, "no subgroup operation but elect"));
+    glsl_code_free(&code);
+}
+
 // Without glslang every text is refused.
 static void test_absence_is_told(void **state)
 {
@@ -290,6 +313,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_constants_are_what_shaders_compute),
     cmocka_unit_test(test_crashes_are_told),
     cmocka_unit_test(test_threads_compile_at_a_time),
+    cmocka_unit_test(test_fragments_have_no_shuffle),
     cmocka_unit_test(test_absence_is_told),
 };
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Subgroups are 8 invocations that follow one another. Each operation is held to a sum, a shuffle or a vote that is done
 // here one lane after the other.
-#include <glsl.h>
-
 #include "spirv_run.h"
 
 #include "elected_frag.h"
@@ -261,32 +259,6 @@ static void test_lanes_of_a_subgroup_work_together(void **state)
     rhw_shader_program_destroy(program);
 }
 
-static void test_fragments_have_no_shuffle(void **state)
-{
-    (void)state;
-    static const char text[] = "#extension GL_KHR_shader_subgroup_shuffle : require\n"
-                               "layout(location = 0) in vec4 color;\n"
-                               "layout(location = 0) out vec4 target;\n"
-                               "void main()\n"
-                               "{\n"
-                               "    target = subgroupShuffleXor(color, 1u);\n"
-                               "}\n";
-    char message[RHW_SHADER_MESSAGE];
-    struct glsl_code code;
-    rhw_shader *shader;
-    if (!glsl_is_there()) {
-        skip();
-    }
-    if (!glsl_compile(RHW_SHADER_FRAGMENT, text, strlen(text), "x.frag", &(struct glsl_options){0}, &code,
-                      message, sizeof message)) {
-        fail_msg("%s", message);
-    }
-    const struct rhw_shader_def def = {.stage = RHW_SHADER_FRAGMENT};
-    assert_int_equal(rhw_shader_create(code.words, code.size, &def, &shader, message), RHW_ERROR_MISUSE);
-    assert_non_null(strstr(message, "no subgroup operation but elect"));
-    glsl_code_free(&code);
-}
-
 static void test_fragments_have_elect(void **state)
 {
     (void)state;
@@ -320,7 +292,6 @@ static void test_fragments_have_elect(void **state)
 
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_lanes_of_a_subgroup_work_together),
-    cmocka_unit_test(test_fragments_have_no_shuffle),
     cmocka_unit_test(test_fragments_have_elect),
 };
 
