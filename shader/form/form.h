@@ -37,9 +37,9 @@ struct shader_node {
 };
 
 enum shader_node_flag {
-    SHADER_UNIFORM = 1,    // all lanes of a call have one value
-    SHADER_EVERY_LANE = 2, // a SET where all lanes that live are active
-    SHADER_PER_QUAD = 4    // a derivative: one number for the quad
+    SHADER_UNIFORM = 1,            // all lanes of a call have one value
+    SHADER_PER_QUAD = 4,           // a derivative: one number for the quad
+    SHADER_DYNAMICALLY_UNIFORM = 8 // all lanes that are active have one value
 };
 
 // Built-in inputs and outputs, by component where there are several.

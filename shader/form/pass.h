@@ -20,8 +20,13 @@ void shader_forward_copies(struct shader_program *program);
 void shader_remove_dead(struct shader_program *program);
 // derivative.c. Replace DDX and DDY.
 void shader_build_derivatives(struct shader_program *program);
-// uniform.c. Mark values that are the same in all lanes of a call, and SETs that reach every lane.
+// uniform.c. Mark values that are the same in all lanes of a call.
 void shader_mark_uniform(struct shader_program *program);
+// dynamic.c. Mark values that are the same in all lanes that are active, as the counters of loops are.
+void shader_mark_dynamically_uniform(struct shader_program *program);
+
+// uniform.c. Return whether a value depends on the lane whatever its operands are.
+bool shader_is_varying(enum shader_op op);
 
 // All of them, in the order that back ends expect.
 void shader_run_passes(struct shader_program *program);

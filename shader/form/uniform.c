@@ -7,8 +7,7 @@ static bool is_uniform_source(enum shader_op op)
     return op == SHADER_CONSTANT || op == SHADER_PUSH || op == SHADER_WORKGROUP;
 }
 
-// Values that depend on the lane whatever their operands are.
-static bool is_varying_source(enum shader_op op)
+bool shader_is_varying(enum shader_op op)
 {
     return op == SHADER_INPUT || op == SHADER_INPUT_DX || op == SHADER_INPUT_DY ||
            op == SHADER_INPUT_BESIDE || op == SHADER_INPUT_BELOW || op == SHADER_INPUT_AT ||
@@ -60,7 +59,7 @@ static void mark_varying(const struct shader_program *program, bool *varies)
                 continue;
             default: break;
             }
-            bool is_varying = is_varying_source(op);
+            bool is_varying = shader_is_varying(op);
             uint32_t operand_count;
             const uint32_t *const operands = shader_operands(program, node, &operand_count);
             for (uint32_t o = 0; !is_uniform_source(op) && o < operand_count; o++) {
@@ -99,4 +98,5 @@ void shader_run_passes(struct shader_program *program)
     shader_forward_copies(program);
     shader_remove_dead(program);
     shader_mark_uniform(program);
+    shader_mark_dynamically_uniform(program);
 }

@@ -103,7 +103,7 @@ static void give_registers(struct assembler *assembler)
             const struct shader_node *const node = &program->nodes[v - 1];
             const bool is_mask =
                 node->op == SHADER_IF || node->op == SHADER_REGION || node->op == SHADER_LOOP;
-            const bool is_uniform = (node->flags & SHADER_UNIFORM) && !is_mask;
+            const bool is_uniform = (node->flags & SHADER_DYNAMICALLY_UNIFORM) && !is_mask;
             assembler->registers[v - 1] = take_register(is_uniform ? &uniform : &varying);
             if (node->op == SHADER_REGION || node->op == SHADER_LOOP) {
                 assembler->mask_registers[v - 1] = take_register(&varying);
@@ -114,7 +114,7 @@ static void give_registers(struct assembler *assembler)
             const bool is_mask =
                 node->op == SHADER_IF || node->op == SHADER_REGION || node->op == SHADER_LOOP;
             struct free_registers *const registers =
-                (node->flags & SHADER_UNIFORM) && !is_mask ? &uniform : &varying;
+                (node->flags & SHADER_DYNAMICALLY_UNIFORM) && !is_mask ? &uniform : &varying;
             registers->numbers[registers->count++] = assembler->registers[v - 1];
             if (node->op == SHADER_REGION || node->op == SHADER_LOOP) {
                 varying.numbers[varying.count++] = assembler->mask_registers[v - 1];
@@ -135,7 +135,7 @@ static struct shader_operand_of varying_register(const struct assembler *assembl
 static struct shader_operand_of operand_of(const struct assembler *assembler, uint32_t value)
 {
     const struct shader_node *const node = &assembler->program->nodes[value];
-    if ((node->flags & SHADER_UNIFORM) == 0) {
+    if ((node->flags & SHADER_DYNAMICALLY_UNIFORM) == 0) {
         return varying_register(assembler, assembler->registers[value]);
     }
     return (struct shader_operand_of){
@@ -154,6 +154,16 @@ static struct shader_instruction *add(struct assembler *assembler, uint32_t op)
     return instruction;
 }
 
+static uint8_t kind_of(const struct shader_instruction *instruction)
+{
+    if (instruction->result.is_uniform) {
+        return SHADER_ONCE;
+    }
+    return (uint8_t)((instruction->a.is_uniform ? SHADER_A_IS_ONE : 0) |
+                     (instruction->b.is_uniform ? SHADER_B_IS_ONE : 0) |
+                     (instruction->c.is_uniform ? SHADER_C_IS_ONE : 0));
+}
+
 // Homes that begin to live at a place get what they begin with.
 static void fill_homes(struct assembler *assembler, const uint32_t *first, const uint32_t *next,
                        uint32_t place)
@@ -162,7 +172,7 @@ static void fill_homes(struct assembler *assembler, const uint32_t *first, const
         struct shader_instruction *const fill = add(assembler, SHADER_FILL);
         fill->immediate = assembler->program->nodes[v - 1].immediate;
         fill->result = operand_of(assembler, v - 1);
-        fill->is_uniform = fill->result.is_uniform;
+        fill->kind = kind_of(fill);
     }
 }
 
@@ -290,7 +300,7 @@ static void add_listed(struct assembler *assembler, uint32_t value)
     instruction->b.vector = assembler->image_operand_count & 0x7fffffff;
     if (node->op == SHADER_ATOMIC || node->op == SHADER_IMAGE_ATOMIC) {
         instruction->result = operand_of(assembler, value);
-        instruction->is_uniform = instruction->result.is_uniform;
+        instruction->kind = kind_of(instruction);
     } else if (node->immediate & SHADER_IMAGE_HAS_SAMPLER) {
         instruction->c.vector = resource_of(assembler, operands[SHADER_IMAGE_SAMPLER]);
     }
@@ -317,7 +327,7 @@ static void add_own_access(struct assembler *assembler, uint32_t value)
     instruction->b = operand_of(assembler, node->operands[1]);
     if (loads) {
         instruction->result = operand_of(assembler, value);
-        instruction->is_uniform = instruction->result.is_uniform;
+        instruction->kind = kind_of(instruction);
     } else {
         instruction->c = operand_of(assembler, node->operands[2]);
     }
@@ -340,7 +350,7 @@ static void add_node(struct assembler *assembler, uint32_t value)
     const uint32_t pair = shader_pair_at(&assembler->pairs, assembler->program, value, paired);
     struct shader_instruction *const instruction = add(assembler, pair ? pair : node->op);
     struct shader_operand_of operands[3] = {{0, 0}, {0, 0}, {0, 0}};
-    for (int o = 0; o < (pair ? 3 : shader_op_operands(op)); o++) {
+    for (int o = 0; o < (pair ? shader_pair_operands(pair) : shader_op_operands(op)); o++) {
         operands[o] = operand_of(assembler, pair ? paired[o] : node->operands[o]);
     }
     instruction->immediate = node->immediate;
@@ -357,10 +367,10 @@ static void add_node(struct assembler *assembler, uint32_t value)
     if (op == SHADER_SET) {
         instruction->result = operands[0];
         instruction->a = operands[1];
-        instruction->is_uniform = operands[0].is_uniform;
+        instruction->kind = kind_of(instruction);
     } else if (shader_op_kind_of(op) != SHADER_KIND_EFFECT) {
         instruction->result = operand_of(assembler, value);
-        instruction->is_uniform = instruction->result.is_uniform;
+        instruction->kind = kind_of(instruction);
     }
 }
 

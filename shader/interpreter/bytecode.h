@@ -33,6 +33,8 @@ enum shader_extra_op {
     SHADER_MUL_ADD,     // a · b + c, of floats and rounded twice, as a product and a sum
     SHADER_MUL_SUB,     // a · b − c
     SHADER_SUB_MUL,     // c − a · b
+    SHADER_IMIN,        // the lesser of a and b, which are signed
+    SHADER_IMAX,        // the greater
     SHADER_JUMP_UNLESS, // where `a`, which is uniform, is false
     SHADER_JUMP,
     SHADER_LOAD_PRIVATE,
@@ -41,10 +43,19 @@ enum shader_extra_op {
     SHADER_COUNT_OPS
 };
 
+// Arithmetic has functions for the operands that have one vector for all groups: or-ed bits.
+enum shader_kind {
+    SHADER_A_IS_ONE = 1,
+    SHADER_B_IS_ONE = 2,
+    SHADER_C_IS_ONE = 4,
+    SHADER_ONCE = 8, // one vector is computed; no other bit is set
+    SHADER_KINDS
+};
+
 struct shader_instruction {
     uint8_t op;
-    uint8_t is_uniform; // one vector is computed
-    uint16_t resource;  // what LOAD, STORE and LENGTH access; SHADER_NO_RESOURCE: push constants
+    uint8_t kind;      // enum shader_kind
+    uint16_t resource; // what LOAD, STORE and LENGTH access; SHADER_NO_RESOURCE: push constants
     // The node's. Structure has the instruction to jump to, and NEEDS_GRADIENT the sampler's resource.
     uint32_t immediate;
     // Where no lane is active behind an END, it goes to c.vector if that is not 0.

@@ -8,51 +8,78 @@
 #include "kernel_own.h"
 #include "kernel_subgroup.h"
 
-#define ENTRY(name)                                [SHADER_##name] = run_##name
+// The functions of an operation, by kind.
+#define EACH_OF(function) function, function, function, function, function, function, function, function
+#define SAME_KINDS(function)        \
+    {                               \
+        EACH_OF(function), function \
+    }
+#define UNARY_KINDS(name)                                                     \
+    {                                                                         \
+        run_##name##_100, run_##name##_000, [SHADER_ONCE] = run_##name##_ONCE \
+    }
+#define BINARY_KINDS(name)                                      \
+    {                                                           \
+        run_##name##_110, run_##name##_010, run_##name##_100,   \
+            run_##name##_000, [SHADER_ONCE] = run_##name##_ONCE \
+    }
+#define TERNARY_KINDS(name)                                                                       \
+    {                                                                                             \
+        run_##name##_111, run_##name##_011, run_##name##_101, run_##name##_001, run_##name##_110, \
+            run_##name##_010, run_##name##_100, run_##name##_000, run_##name##_ONCE               \
+    }
+
+#define SAME(name, function)                       [SHADER_##name] = SAME_KINDS(function)
+#define ENTRY(name)                                SAME(name, run_##name)
+#define UNARY_ENTRY(name)                          [SHADER_##name] = UNARY_KINDS(name)
+#define BINARY_ENTRY(name)                         [SHADER_##name] = BINARY_KINDS(name)
+#define TERNARY_ENTRY(name)                        [SHADER_##name] = TERNARY_KINDS(name)
 #define ONE(name, result, operand, function)       ENTRY(name),
 #define TWO(name, result, first, second, function) ENTRY(name),
-static shader_kernel *const kernels[SHADER_COUNT_OPS] = {
+static shader_kernel *const kernels[SHADER_COUNT_OPS][SHADER_KINDS] = {
 #include "form/function.inc"
-    ENTRY(COPY),
+    [SHADER_COPY] = UNARY_KINDS(COPY),
     ENTRY(SET),
-    ENTRY(FADD),
-    ENTRY(FSUB),
-    ENTRY(FMUL),
-    ENTRY(FDIV),
-    ENTRY(FMIN),
-    ENTRY(FMAX),
-    ENTRY(FSQRT),
-    ENTRY(FLOOR),
-    ENTRY(CEIL),
-    ENTRY(TRUNC),
-    ENTRY(ROUND_EVEN),
-    ENTRY(FEQUAL),
-    ENTRY(FLESS),
-    ENTRY(FLESS_EQUAL),
-    ENTRY(IADD),
-    ENTRY(ISUB),
-    ENTRY(IMUL),
-    ENTRY(AND),
-    ENTRY(OR),
-    ENTRY(XOR),
-    ENTRY(NOT),
-    ENTRY(SHIFT_LEFT),
-    ENTRY(SHIFT_RIGHT),
-    ENTRY(SHIFT_RIGHT_SIGNED),
-    ENTRY(IEQUAL),
-    ENTRY(ILESS),
-    ENTRY(ULESS),
-    ENTRY(SELECT),
-    ENTRY(MUL_ADD),
-    ENTRY(MUL_SUB),
-    ENTRY(SUB_MUL),
-    ENTRY(FLOAT_FROM_INT),
-    ENTRY(INT_FROM_FLOAT),
+    BINARY_ENTRY(FADD),
+    BINARY_ENTRY(FSUB),
+    BINARY_ENTRY(FMUL),
+    BINARY_ENTRY(FDIV),
+    BINARY_ENTRY(FMIN),
+    BINARY_ENTRY(FMAX),
+    UNARY_ENTRY(FSQRT),
+    UNARY_ENTRY(FLOOR),
+    UNARY_ENTRY(CEIL),
+    UNARY_ENTRY(TRUNC),
+    UNARY_ENTRY(ROUND_EVEN),
+    BINARY_ENTRY(FEQUAL),
+    BINARY_ENTRY(FLESS),
+    BINARY_ENTRY(FLESS_EQUAL),
+    BINARY_ENTRY(IADD),
+    BINARY_ENTRY(ISUB),
+    BINARY_ENTRY(IMUL),
+    BINARY_ENTRY(AND),
+    BINARY_ENTRY(OR),
+    BINARY_ENTRY(XOR),
+    UNARY_ENTRY(NOT),
+    BINARY_ENTRY(SHIFT_LEFT),
+    BINARY_ENTRY(SHIFT_RIGHT),
+    BINARY_ENTRY(SHIFT_RIGHT_SIGNED),
+    BINARY_ENTRY(IEQUAL),
+    BINARY_ENTRY(ILESS),
+    BINARY_ENTRY(ULESS),
+    TERNARY_ENTRY(SELECT),
+    TERNARY_ENTRY(MUL_ADD),
+    TERNARY_ENTRY(MUL_SUB),
+    TERNARY_ENTRY(SUB_MUL),
+    BINARY_ENTRY(IMIN),
+    BINARY_ENTRY(IMAX),
+    UNARY_ENTRY(FLOAT_FROM_INT),
+    UNARY_ENTRY(INT_FROM_FLOAT),
     ENTRY(INPUT),
     ENTRY(BUILT_IN),
     ENTRY(OUTPUT),
     ENTRY(DISCARD),
-    ENTRY(LOAD),
+    [SHADER_LOAD] = {EACH_OF(run_LOAD), run_LOAD_ONCE},
     ENTRY(STORE),
     ENTRY(STORE8),
     ENTRY(STORE16),
@@ -66,12 +93,12 @@ static shader_kernel *const kernels[SHADER_COUNT_OPS] = {
     ENTRY(LEAVE),
     ENTRY(JUMP_UNLESS),
     ENTRY(JUMP),
-    [SHADER_LOOP] = run_REGION,
-    [SHADER_FILL] = run_FILL,
-    [SHADER_LOAD_PRIVATE] = run_LOAD_PRIVATE,
-    [SHADER_STORE_PRIVATE] = run_STORE_PRIVATE,
-    [SHADER_LOAD_TABLE] = run_LOAD_TABLE,
-    ENTRY(BUFFER),
+    SAME(LOOP, run_REGION),
+    SAME(FILL, run_FILL),
+    SAME(LOAD_PRIVATE, run_LOAD_PRIVATE),
+    SAME(STORE_PRIVATE, run_STORE_PRIVATE),
+    SAME(LOAD_TABLE, run_LOAD_TABLE),
+    [SHADER_BUFFER] = UNARY_KINDS(COPY), // the number of the element
     ENTRY(SAMPLE),
     ENTRY(PART),
     ENTRY(NEEDS_GRADIENT),
@@ -83,16 +110,25 @@ static shader_kernel *const kernels[SHADER_COUNT_OPS] = {
     ENTRY(INPUT_AT),
     ENTRY(SAMPLE_X),
     ENTRY(SAMPLE_Y),
-    [SHADER_PUSH] = run_NOTHING,
+    SAME(PUSH, run_NOTHING),
     ENTRY(WORKGROUP),
-    [SHADER_BARRIER] = run_NOTHING,
+    SAME(BARRIER, run_NOTHING),
     ENTRY(ATOMIC),
     ENTRY(IMAGE_ATOMIC),
     ENTRY(BALLOT),
     ENTRY(SHUFFLE),
     ENTRY(SCAN),
 };
+#undef EACH_OF
+#undef SAME_KINDS
+#undef UNARY_KINDS
+#undef BINARY_KINDS
+#undef TERNARY_KINDS
+#undef SAME
 #undef ENTRY
+#undef UNARY_ENTRY
+#undef BINARY_ENTRY
+#undef TERNARY_ENTRY
 #undef ONE
 #undef TWO
 
@@ -112,7 +148,7 @@ static void execute(struct frame *frame)
     frame->next = bytecode->code;
     while (frame->next->op != SHADER_END) {
         const struct shader_instruction *const in = frame->next++;
-        kernels[in->op](frame, in);
+        kernels[in->op][in->kind](frame, in);
     }
 }
 

@@ -12,95 +12,71 @@
 
 // Pointers to the vectors of the result and of the operands. No operand lies in the register of the result.
 #define VECTORS                                                             \
-    const int first = in->is_uniform ? 0 : frame->range.first;              \
-    const int end = in->is_uniform ? 1 : frame->range.end;                  \
     union vector *const restrict d = &frame->registers[in->result.vector];  \
     const union vector *const restrict a = &frame->registers[in->a.vector]; \
     const union vector *const restrict b = &frame->registers[in->b.vector]; \
     const union vector *const restrict c = &frame->registers[in->c.vector]; \
     (void)a, (void)b, (void)c
 
-// A loop over groups, where operands have a vector for each group (a step of 1) or one for all (a step of 0).
-#define LOOP(member, value, step_a, step_b, step_c)                 \
-    {                                                               \
-        enum { a_step = step_a, b_step = step_b, c_step = step_c }; \
-        _Pragma("GCC unroll 4") for (int i = first; i < end; i++)   \
-        {                                                           \
-            d[i].member = value;                                    \
-        }                                                           \
-        return;                                                     \
+// A function of an operation: its operands have a vector for each group (a step of 1) or one for all (a step of 0).
+// Groups are counted in fours as long as there are four.
+#define STEPS(name, member, value, step_a, step_b, step_c)                      \
+    static void name(struct frame *frame, const struct shader_instruction *in)  \
+    {                                                                           \
+        enum { a_step = step_a, b_step = step_b, c_step = step_c };             \
+        const ptrdiff_t end = frame->range.end;                                 \
+        ptrdiff_t four = frame->range.first;                                    \
+        VECTORS;                                                                \
+        for (; four + 4 <= end; four += 4) {                                    \
+            _Pragma("GCC unroll 4") for (ptrdiff_t i = four; i < four + 4; i++) \
+            {                                                                   \
+                d[i].member = value;                                            \
+            }                                                                   \
+        }                                                                       \
+        for (ptrdiff_t i = four; i < end; i++) {                                \
+            d[i].member = value;                                                \
+        }                                                                       \
     }
 
-// Operations of one operand, and those that take so long that one loop serves all steps.
-#define UNARY(name, member, value)                                             \
+// One that computes a vector for all groups.
+#define ONCE(name, member, value)                                              \
     static void name(struct frame *frame, const struct shader_instruction *in) \
     {                                                                          \
+        enum { i = 0, a_step = 0, b_step = 0, c_step = 0 };                    \
         VECTORS;                                                               \
-        if (in->a.is_uniform) {                                                \
-            LOOP(member, value, 0, 0, 0)                                       \
-        }                                                                      \
-        LOOP(member, value, 1, 0, 0)                                           \
+        d[i].member = value;                                                   \
     }
 
+// All functions of an operation, named by the steps of its operands.
+#define UNARY(name, member, value)            \
+    STEPS(name##_100, member, value, 1, 0, 0) \
+    STEPS(name##_000, member, value, 0, 0, 0) \
+    ONCE(name##_ONCE, member, value)
+
+#define BINARY(name, member, value)           \
+    UNARY(name, member, value)                \
+    STEPS(name##_110, member, value, 1, 1, 0) \
+    STEPS(name##_010, member, value, 0, 1, 0)
+
+#define TERNARY(name, member, value)          \
+    BINARY(name, member, value)               \
+    STEPS(name##_111, member, value, 1, 1, 1) \
+    STEPS(name##_011, member, value, 0, 1, 1) \
+    STEPS(name##_101, member, value, 1, 0, 1) \
+    STEPS(name##_001, member, value, 0, 0, 1)
+
+// One that takes so long that one form for any number of groups will do.
 #define LONG(name, member, value)                                              \
     static void name(struct frame *frame, const struct shader_instruction *in) \
     {                                                                          \
-        VECTORS;                                                               \
         const int a_step = !in->a.is_uniform, b_step = !in->b.is_uniform;      \
+        const int first = in->kind == SHADER_ONCE ? 0 : frame->range.first;    \
+        const int end = in->kind == SHADER_ONCE ? 1 : frame->range.end;        \
+        VECTORS;                                                               \
         (void)b_step;                                                          \
         for (int i = first; i < end; i++) {                                    \
             d[i].member = value;                                               \
         }                                                                      \
-    }
-
-#define BINARY(name, member, value)                                            \
-    static void name(struct frame *frame, const struct shader_instruction *in) \
-    {                                                                          \
-        VECTORS;                                                               \
-        if (in->is_uniform) {                                                  \
-            enum { i = 0, a_step = 0, b_step = 0 };                            \
-            d[i].member = value;                                               \
-            return;                                                            \
-        }                                                                      \
-        if (in->a.is_uniform && in->b.is_uniform) {                            \
-            LOOP(member, value, 0, 0, 0)                                       \
-        }                                                                      \
-        if (in->b.is_uniform) {                                                \
-            LOOP(member, value, 1, 0, 0)                                       \
-        }                                                                      \
-        if (in->a.is_uniform) {                                                \
-            LOOP(member, value, 0, 1, 0)                                       \
-        }                                                                      \
-        LOOP(member, value, 1, 1, 0)                                           \
-    }
-
-// Operations of three operands, of which the first has a vector for each group.
-#define TERNARY(name, member, value)                                                      \
-    static void name(struct frame *frame, const struct shader_instruction *in)            \
-    {                                                                                     \
-        VECTORS;                                                                          \
-        if (in->is_uniform) {                                                             \
-            enum { i = 0, a_step = 0, b_step = 0, c_step = 0 };                           \
-            d[i].member = value;                                                          \
-            return;                                                                       \
-        }                                                                                 \
-        if (in->a.is_uniform) {                                                           \
-            const int a_step = 0, b_step = !in->b.is_uniform, c_step = !in->c.is_uniform; \
-            for (int i = first; i < end; i++) {                                           \
-                d[i].member = value;                                                      \
-            }                                                                             \
-            return;                                                                       \
-        }                                                                                 \
-        if (in->b.is_uniform && in->c.is_uniform) {                                       \
-            LOOP(member, value, 1, 0, 0)                                                  \
-        }                                                                                 \
-        if (in->b.is_uniform) {                                                           \
-            LOOP(member, value, 1, 0, 1)                                                  \
-        }                                                                                 \
-        if (in->c.is_uniform) {                                                           \
-            LOOP(member, value, 1, 1, 0)                                                  \
-        }                                                                                 \
-        LOOP(member, value, 1, 1, 1)                                                      \
     }
 
 #define AF a[i * a_step].f
@@ -140,6 +116,8 @@ BINARY(run_SHIFT_RIGHT_SIGNED, i, AI >> (BI & 31))
 BINARY(run_IEQUAL, i, rhw_equal_int(AI, BI))
 BINARY(run_ILESS, i, rhw_less_int(AI, BI))
 BINARY(run_ULESS, i, rhw_spirv_less_uint(AI, BI))
+BINARY(run_IMIN, i, rhw_min_int(AI, BI))
+BINARY(run_IMAX, i, rhw_max_int(AI, BI))
 TERNARY(run_SELECT, i, rhw_select_int(AI, BI, CI))
 TERNARY(run_MUL_ADD, f, AF *BF + CF)
 TERNARY(run_MUL_SUB, f, AF *BF - CF)

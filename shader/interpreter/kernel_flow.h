@@ -189,19 +189,20 @@ static void run_SET(struct frame *frame, const struct shader_instruction *in)
     const union vector *const active = fixed_register(frame, SHADER_ACTIVE),
                               *const a = &frame->registers[in->a.vector];
     union vector *const d = &frame->registers[in->result.vector];
-    if (in->is_uniform) {
+    if (in->kind == SHADER_ONCE) {
         d[0].i = any_active(frame) ? a[0].i : d[0].i;
         return;
     }
+    const int step = in->a.is_uniform ? 0 : 1;
     for (int i = frame->range.first; i < frame->range.end; i++) {
-        d[i].i = rhw_select_int(active[i].i, a[in->a.is_uniform ? 0 : i].i, d[i].i);
+        d[i].i = rhw_select_int(active[i].i, a[i * step].i, d[i].i);
     }
 }
 
 static void run_FILL(struct frame *frame, const struct shader_instruction *in)
 {
     union vector *const d = &frame->registers[in->result.vector];
-    const int count = in->is_uniform ? 1 : frame->groups;
+    const int count = in->kind == SHADER_ONCE ? 1 : frame->groups;
     for (int i = 0; i < count; i++) {
         d[i].i = rhw_splat_int((int32_t)in->immediate);
     }

@@ -185,13 +185,43 @@ static void access_image(const struct frame *frame, const struct rhw_binding *bi
     }
 }
 
+// Fetch texels of level 0 of one texture: nothing but coordinates differs from group to group.
+static void fetch_groups(struct frame *frame, const struct shader_operand_of *operands,
+                         const struct shader_instruction *in, const struct rhw_binding *binding)
+{
+    enum { MOST = 3 };
+    const union vector *const active = fixed_register(frame, SHADER_ACTIVE);
+    const union vector nothing = {.i = rhw_splat_int(0)};
+    const int coordinates = (int)(in->immediate >> SHADER_IMAGE_SPATIAL_SHIFT & 3) +
+                            (in->immediate & SHADER_IMAGE_IS_ARRAYED ? 1 : 0);
+    const union vector *from[MOST];
+    ptrdiff_t steps[MOST];
+    for (int i = 0; i < MOST; i++) {
+        const struct shader_operand_of operand = operands[SHADER_IMAGE_COORDINATES + i];
+        from[i] = i < coordinates ? &frame->registers[operand.vector] : &nothing;
+        steps[i] = i < coordinates && !operand.is_uniform ? 1 : 0;
+    }
+    for (ptrdiff_t g = frame->range.first; g < frame->range.end; g++) {
+        if (rhw_any(active[g].i)) {
+            const rhw_int at[4] = {from[0][g * steps[0]].i, from[1][g * steps[1]].i, from[2][g * steps[2]].i,
+                                   nothing.i};
+            rhw_binding_sample_fetch(binding, at, NULL, frame->texels[g]);
+        }
+    }
+}
+
 static void run_SAMPLE(struct frame *frame, const struct shader_instruction *in)
 {
+    const uint32_t more = SHADER_IMAGE_HAS_SAMPLE | SHADER_IMAGE_HAS_LOD;
     const struct shader_operand_of *const operands = frame->bytecode->image_operands + in->b.vector;
     const union vector *const active = fixed_register(frame, SHADER_ACTIVE);
     struct image_binding found;
     const bool is_one = find_one_image(frame, operands, in, &found);
-    for (int i = 0; i < frame->groups; i++) {
+    if (is_one && (in->immediate & 15) == SHADER_DO_FETCH && (in->immediate & more) == 0) {
+        fetch_groups(frame, operands, in, found.binding);
+        return;
+    }
+    for (int i = frame->range.first; i < frame->range.end; i++) {
         rhw_float *const texels = frame->texels[i];
         if (is_one && rhw_any(active[i].i)) {
             access_image(frame, found.binding, operands, in->immediate, i, texels);
@@ -211,7 +241,7 @@ static void run_SAMPLE(struct frame *frame, const struct shader_instruction *in)
 static void run_PART(struct frame *frame, const struct shader_instruction *in)
 {
     union vector *const d = &frame->registers[in->result.vector];
-    for (int i = 0; i < frame->groups; i++) {
+    for (int i = frame->range.first; i < frame->range.end; i++) {
         d[i].f = frame->texels[i][in->immediate];
     }
 }

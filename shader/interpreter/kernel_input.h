@@ -252,7 +252,7 @@ static void sample_place(struct frame *frame, const struct shader_instruction *i
 {
     union vector *const d = &frame->registers[in->result.vector];
     const union vector *const a = &frame->registers[in->a.vector];
-    const int count = in->is_uniform ? 1 : frame->groups;
+    const int count = in->kind == SHADER_ONCE ? 1 : frame->groups;
     for (int i = 0; i < count; i++) {
         d[i].f = rhw_spirv_sample_place(frame->bound, a[in->a.is_uniform ? 0 : i].i, axis);
     }

@@ -51,18 +51,19 @@ static rhw_int word_index(const struct frame *frame, const struct shader_instruc
     return (rhw_int)((offset + (rhw_uint)rhw_splat_int((int32_t)in->immediate)) >> 2);
 }
 
+static void run_LOAD_ONCE(struct frame *frame, const struct shader_instruction *in)
+{
+    const uint32_t index = ((uint32_t)frame->registers[in->b.vector].i[0] + in->immediate) >> 2;
+    const uint32_t element = (uint32_t)frame->registers[in->a.vector].i[0];
+    const int32_t word = in->resource == SHADER_NO_RESOURCE
+                             ? rhw_spirv_push_word(frame->bound, index)
+                             : rhw_binding_storage_load1(binding_of(frame, in->resource, element), index);
+    frame->registers[in->result.vector].i = rhw_splat_int(word);
+}
+
 static void run_LOAD(struct frame *frame, const struct shader_instruction *in)
 {
     union vector *const d = &frame->registers[in->result.vector];
-    if (in->is_uniform) {
-        const uint32_t index = (uint32_t)word_index(frame, in, 0)[0];
-        const uint32_t element = (uint32_t)frame->registers[in->a.vector].i[0];
-        d[0].i =
-            rhw_splat_int(in->resource == SHADER_NO_RESOURCE
-                              ? rhw_spirv_push_word(frame->bound, index)
-                              : rhw_binding_storage_load1(binding_of(frame, in->resource, element), index));
-        return;
-    }
     const union vector *const active = fixed_register(frame, SHADER_ACTIVE);
     for (int i = 0; i < frame->groups; i++) {
         d[i].i = load_words(frame, in, i, word_index(frame, in, i), active[i].i);
@@ -113,7 +114,7 @@ static void run_LENGTH(struct frame *frame, const struct shader_instruction *in)
 {
     union vector *const d = &frame->registers[in->result.vector];
     const union vector *const element = &frame->registers[in->a.vector];
-    const int count = in->is_uniform ? 1 : frame->groups;
+    const int count = in->kind == SHADER_ONCE ? 1 : frame->groups;
     for (int i = 0; i < count; i++) {
         for (int lane = 0; lane < RHW_LANES; lane++) {
             const uint32_t named = (uint32_t)element[in->a.is_uniform ? 0 : i].i[lane];
@@ -149,17 +150,11 @@ static void run_ATOMIC(struct frame *frame, const struct shader_instruction *in)
     }
 }
 
-// A BUFFER is the number of the element, and push constants have none.
-static void run_BUFFER(struct frame *frame, const struct shader_instruction *in)
-{
-    run_COPY(frame, in);
-}
-
 // The memory of the workgroup is element 0 of what it stands for.
 static void run_WORKGROUP(struct frame *frame, const struct shader_instruction *in)
 {
     union vector *const d = &frame->registers[in->result.vector];
-    const int count = in->is_uniform ? 1 : frame->groups;
+    const int count = in->kind == SHADER_ONCE ? 1 : frame->groups;
     for (int i = 0; i < count; i++) {
         d[i].i = rhw_splat_int(0);
     }

@@ -57,7 +57,8 @@ static void run_LOAD_TABLE(struct frame *frame, const struct shader_instruction 
 {
     const struct shader_bytecode *const bytecode = frame->bytecode;
     union vector *const d = &frame->registers[in->result.vector];
-    const int first = in->is_uniform ? 0 : frame->range.first, end = in->is_uniform ? 1 : frame->range.end;
+    const int first = in->kind == SHADER_ONCE ? 0 : frame->range.first,
+              end = in->kind == SHADER_ONCE ? 1 : frame->range.end;
     const int32_t *const table = (const int32_t *)bytecode->table;
     for (int i = first; i < end; i++) {
         d[i].i = rhw_gather_int(table, (int32_t)bytecode->table_count, word_index(frame, in, i));

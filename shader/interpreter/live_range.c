@@ -71,7 +71,8 @@ static void read_at(struct finder *finder, uint32_t value, uint32_t place, const
 bool shader_is_jump(const struct shader_program *program, uint32_t value)
 {
     const struct shader_node *const nodes = program->nodes;
-    return nodes[value].op == SHADER_IF && (nodes[nodes[value].operands[0]].flags & SHADER_UNIFORM);
+    return nodes[value].op == SHADER_IF &&
+           (nodes[nodes[value].operands[0]].flags & SHADER_DYNAMICALLY_UNIFORM);
 }
 
 static void find_ranges(struct finder *finder)

@@ -16,7 +16,7 @@ struct shader_live_range {
 const struct shader_live_range *shader_find_live_ranges(struct shader_program *program,
                                                         const struct shader_pairs *pairs);
 
-// Return true for an IF whose condition all lanes share: the code jumps, and masks stay as they are.
+// Return true for an IF whose condition all active lanes share: the code jumps, and masks stay as they are.
 bool shader_is_jump(const struct shader_program *program, uint32_t value);
 
 #endif

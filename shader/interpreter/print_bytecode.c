@@ -42,6 +42,8 @@ static const struct {
     [SHADER_MUL_ADD - SHADER_END] = {"MUL_ADD", 3},
     [SHADER_MUL_SUB - SHADER_END] = {"MUL_SUB", 3},
     [SHADER_SUB_MUL - SHADER_END] = {"SUB_MUL", 3},
+    [SHADER_IMIN - SHADER_END] = {"IMIN", 2},
+    [SHADER_IMAX - SHADER_END] = {"IMAX", 2},
     [SHADER_JUMP_UNLESS - SHADER_END] = {"JUMP_UNLESS", 1},
     [SHADER_JUMP - SHADER_END] = {"JUMP", 0},
     [SHADER_LOAD_PRIVATE - SHADER_END] = {"LOAD_PRIVATE", 2},
@@ -136,6 +138,8 @@ static enum shader_number_style style_of(uint32_t op, int operand)
     case SHADER_MUL_ADD:
     case SHADER_MUL_SUB:
     case SHADER_SUB_MUL: return SHADER_NUMBER_FLOAT;
+    case SHADER_IMIN:
+    case SHADER_IMAX:
     case SHADER_LOAD_PRIVATE:
     case SHADER_LOAD_TABLE: return SHADER_NUMBER_INT;
     case SHADER_STORE_PRIVATE: return operand == 2 ? SHADER_NUMBER_EITHER : SHADER_NUMBER_INT;

@@ -7,6 +7,8 @@
 #include "alike_comp.h"
 #include "alike_comp_small.h"
 #include "alike_frag.h"
+#include "counters_comp.h"
+#include "counters_comp_small.h"
 #include "endless_work_comp.h"
 #include "endless_frag.h"
 #include "endless_vert.h"
@@ -172,6 +174,63 @@ static void test_lanes_go_where_their_conditions_say(void **state)
     rhw_shader_program_destroy(program);
 }
 
+// What counters.comp does for one lane.
+static int count_of(int x)
+{
+    int sum = 0, n = 0, late = 5, twice = 0, other = x > 50 ? 2 : 1;
+    for (int i = 0; i < 40 && i * i <= x; i++) {
+        sum += (x & 3) == 1 ? 0 : i;
+    }
+    while (n < 40 && n * 3 < x) {
+        n++;
+    }
+    sum += 100 * n;
+    for (int i = 0; i < 6; i++) {
+        const bool is_set = ((x >> i) & 1) == 1;
+        sum += is_set ? late++ : 0;
+        for (int j = 0; is_set && j < i && j != (x & 7); j++) {
+            sum += j * i;
+        }
+        twice = (twice + (i == 2 ? 2 : 0)) * 2 + 1;
+        sum += twice;
+    }
+    for (int i = 0; x > 50 && i < 5; i++) {
+        sum += other * i;
+        other += 3;
+        if (i > (x & 3)) {
+            break;
+        }
+    }
+    return sum * 16 + other;
+}
+
+static void check_counters(rhw_shader *shader)
+{
+    enum { COUNTERS = 100 };
+    int32_t source[COUNTERS], sink[COUNTERS];
+    rhw_shader_program *const program = spirv_link(NULL, NULL, shader);
+    const struct rhw_binding set[2] = {spirv_memory(source, sizeof source), spirv_memory(sink, sizeof sink)};
+    const struct rhw_shader_frame frame = {.sets = {set}};
+    struct rig rig;
+    rig_open(&rig, 4, 4);
+    for (int i = 0; i < COUNTERS; i++) {
+        source[i] = i * 7 % COUNTERS;
+    }
+    assert_int_equal(spirv_dispatch(&rig, program, &frame, 1), RHW_OK);
+    for (int i = 0; i < COUNTERS; i++) {
+        assert_int_equal(sink[i], count_of(source[i]));
+    }
+    rig_close(&rig);
+    rhw_shader_program_destroy(program);
+}
+
+static void test_lanes_count_together_and_apart(void **state)
+{
+    (void)state;
+    check_counters(SPIRV_CREATE(counters_comp, RHW_SHADER_COMPUTE));
+    check_counters(SPIRV_CREATE(counters_comp_small, RHW_SHADER_COMPUTE));
+}
+
 static void check_alike(const uint32_t *words, size_t size)
 {
     int32_t first[] = {1, 10, 20}, second[] = {2, 30, 40, 50}, sink[8];
@@ -308,6 +367,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_fragments_without_an_end_are_given_up),
     cmocka_unit_test(test_vertices_without_an_end_are_given_up),
     cmocka_unit_test(test_lanes_go_where_their_conditions_say),
+    cmocka_unit_test(test_lanes_count_together_and_apart),
     cmocka_unit_test(test_lanes_share_what_all_have_alike),
     cmocka_unit_test(test_covered_lanes_share_what_all_have_alike),
     cmocka_unit_test(test_discarded_lanes_do_no_more),
