@@ -12,7 +12,7 @@
 #include "pages.h"
 
 enum {
-    LARGE_BLOCK = 2 << 20,   // bytes of a huge page
+    LARGE_BLOCK = 1 << 20,   // bytes, half of a huge page
     LARGEST_ALIGNMENT = 4096 // bytes; base.h promises this alignment to allocation hooks
 };
 

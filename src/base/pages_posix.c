@@ -12,21 +12,25 @@
 
 enum {
     HUGE_PAGE = 2 << 20, // bytes
+    ENOUGH = 512 << 10,  // bytes that are worth a huge page
     // Bytes of the largest page of the systems that Linux runs on.
     LARGEST_PAGE = 64 << 10
 };
 
-// Return the bytes of the pages that hold `size`.
+// Return the bytes of the pages that hold `size`. What is left behind the last whole huge page gets another one where
+// that costs less than its page faults: each takes 1.4 µs for 4 KiB, and 90 µs for 2 MiB.
 static size_t pages_size(size_t size)
 {
-    return (size + LARGEST_PAGE - 1) & ~(size_t)(LARGEST_PAGE - 1);
+    const size_t rest = size % HUGE_PAGE;
+    const size_t page = rest >= ENOUGH ? HUGE_PAGE : LARGEST_PAGE;
+    return (size + page - 1) & ~(page - 1);
 }
 
 // Every frame walks targets, arenas and large buffers from end to end. On huge pages they cost a 512th of the page
 // faults and TLB misses.
 void *rhw_pages_map(size_t size)
 {
-    if (size > SIZE_MAX - HUGE_PAGE - LARGEST_PAGE) {
+    if (size > SIZE_MAX - 2 * HUGE_PAGE) {
         return NULL;
     }
     // Map as much more as it takes to begin on a huge page. What lies around the block is given back.
@@ -44,7 +48,7 @@ void *rhw_pages_map(size_t size)
     (void)munmap(block + pages_size(size), behind);
 #if defined(MADV_HUGEPAGE)
     // The system may refuse this advice.
-    (void)madvise(block, size & ~(size_t)(HUGE_PAGE - 1), MADV_HUGEPAGE);
+    (void)madvise(block, pages_size(size) & ~(size_t)(HUGE_PAGE - 1), MADV_HUGEPAGE);
 #endif
     return block;
 }

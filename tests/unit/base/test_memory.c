@@ -2,6 +2,7 @@
 // The allocator hook: every byte comes from it and goes back to it with the size it was asked for; when it
 // has nothing left, wherever that happens, the call says so and the context can still be used or destroyed.
 #include "harness.h"
+#include "huge_page_mark.h"
 
 #include <stdatomic.h>
 #include <stdlib.h>
@@ -9,6 +10,7 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
+#include "base/pages.h"
 #include "resource/buffer.h"
 #include "context/context.h"
 #include "context/lookup.h"
@@ -571,6 +573,28 @@ static void test_what_is_created_is_zero(void **state)
     expect_all_returned(&meter);
 }
 
+// What is left behind the last whole huge page is on one too if it is large.
+static void test_blocks_end_on_huge_pages(void **state)
+{
+    (void)state;
+    enum { KIBIBYTE = 1 << 10 };
+    static const struct {
+        size_t size;
+        int mark;
+    } blocks[] = {{2816 * KIBIBYTE, 1}, {2304 * KIBIBYTE, 0}, {4096 * KIBIBYTE, 1}};
+    for (size_t i = 0; i < sizeof blocks / sizeof blocks[0]; i++) {
+        unsigned char *const block = rhw_pages_map(blocks[i].size);
+        const int mark = block != NULL ? huge_page_mark(block + blocks[i].size - 1) : -1;
+        if (block != NULL) {
+            rhw_pages_unmap(block, blocks[i].size);
+        }
+        if (mark < 0) {
+            skip();
+        }
+        assert_int_equal(mark, blocks[i].mark);
+    }
+}
+
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_everything_is_returned),
     cmocka_unit_test(test_out_of_memory_once),
@@ -585,6 +609,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_a_small_picture_takes_little),
     cmocka_unit_test(test_what_is_created_takes_no_memory_yet),
     cmocka_unit_test(test_what_is_created_is_zero),
+    cmocka_unit_test(test_blocks_end_on_huge_pages),
 };
 
 const struct unit_tests test_memory = UNIT_TESTS(tests, NULL, NULL);

@@ -1,44 +1,19 @@
 // SPDX-License-Identifier: MIT
-// Large blocks are marked for huge pages, where Linux lists the marks; small ones are not, and no byte changes. A heap that is asked for
-// is marked.
+// Large blocks are marked for huge pages, where Linux lists the marks; small ones are not, and no byte changes. A heap that
+// is asked for is marked.
 #include "unit.h"
 
-#include <inttypes.h>
 #include <stdbool.h>
-#include <stdint.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "huge_page_mark.h"
 #include "huge_pages.h"
 #include "sanitizer.h"
 
 enum { MEBIBYTE = 1 << 20 };
-
-// Return 1 if the mapping that holds `block` is marked, 0 if not, and -1 where the system has no huge pages or lists no
-// marks.
-static int is_marked(const void *block)
-{
-    const bool has_huge_pages = access("/sys/kernel/mm/transparent_hugepage", F_OK) == 0;
-    FILE *const maps = has_huge_pages ? fopen("/proc/self/smaps", "r") : NULL;
-    char line[512];
-    int marked = -1;
-    bool is_inside = false;
-    while (maps && fgets(line, sizeof line, maps)) {
-        uintptr_t first, end;
-        if (sscanf(line, "%" SCNxPTR "-%" SCNxPTR " ", &first, &end) == 2) {
-            is_inside = (uintptr_t)block >= first && (uintptr_t)block < end;
-        } else if (is_inside && strncmp(line, "VmFlags:", 8) == 0) {
-            marked = strstr(line, " hg") != NULL;
-        }
-    }
-    if (maps) {
-        fclose(maps);
-    }
-    return marked;
-}
 
 static void test_large_blocks_are_marked(void **state)
 {
@@ -48,9 +23,9 @@ static void test_large_blocks_are_marked(void **state)
     block[0] = 1;
     block[16 * MEBIBYTE - 1] = 2;
     system_huge_pages_prefer(block, MEBIBYTE);
-    assert_int_not_equal(is_marked(block + 8 * MEBIBYTE), 1);
+    assert_int_not_equal(huge_page_mark(block + 8 * MEBIBYTE), 1);
     system_huge_pages_prefer(block, 16 * MEBIBYTE);
-    const int marked = is_marked(block + 8 * MEBIBYTE);
+    const int marked = huge_page_mark(block + 8 * MEBIBYTE);
     assert_int_equal(block[0], 1);
     assert_int_equal(block[16 * MEBIBYTE - 1], 2);
     free(block);
@@ -60,7 +35,7 @@ static void test_large_blocks_are_marked(void **state)
     assert_int_equal(marked, 1);
 }
 
-// Ask for a heap on huge pages in a process of its own, which this one is not to be. Return what is_marked says of a
+// Ask for a heap on huge pages in a process of its own, which this one is not to be. Return what huge_page_mark says of a
 // block of a megabyte there, or 2 if it is not zeroed where it should be.
 static int marks_heap(void)
 {
@@ -75,7 +50,7 @@ static int marks_heap(void)
         for (size_t i = 0; i < MEBIBYTE; i++) {
             is_zero = is_zero && block[i] == 0;
         }
-        _exit(is_zero ? is_marked(block + MEBIBYTE / 2) + 1 : 3); // it may begin in what was there
+        _exit(is_zero ? huge_page_mark(block + MEBIBYTE / 2) + 1 : 3); // it may begin in what was there
     }
     int status = 0;
     assert_int_equal(waitpid(child, &status, 0), child);
