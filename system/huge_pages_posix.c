@@ -32,10 +32,11 @@ void system_huge_pages_prefer(void *block, size_t size)
 void system_huge_pages_prefer_heap(size_t size)
 {
 #if defined(MADV_HUGEPAGE) && defined(__GLIBC__)
-    enum { PAGE = 4096, BLOCK = 31 << 20, LARGEST = 32 << 20, BLOCKS = 4 }; // bytes; blocks
+    enum { PAGE = 4096, BLOCK = 31 << 20, LARGEST = 32 << 20, BLOCKS = 8 }; // bytes; blocks
     // Blocks up to the largest size that glibc allows come from the heap, and what is freed stays in it.
     (void)mallopt(M_MMAP_THRESHOLD, LARGEST);
     (void)mallopt(M_TRIM_THRESHOLD, 1 << 30);
+    (void)mallopt(M_ARENA_MAX, 1); // threads have no heaps of their own
     void *blocks[BLOCKS] = {NULL};
     char *const first = (char *)sbrk(0) - (uintptr_t)sbrk(0) % PAGE;
     for (size_t i = 0; i < BLOCKS && size > 0; i++) {

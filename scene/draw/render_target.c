@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "render_target.h"
 
-#include <stdint.h>
-#include <stdlib.h>
-
 static enum rhw_result get(rhw_context *context, struct scene_target *target, enum rhw_format format,
                            int width, int height, int levels, int samples)
 {
@@ -53,7 +50,9 @@ void scene_plane_destroy(rhw_context *context, struct scene_plane *plane)
     if (plane->texture.generation) {
         rhw_texture_destroy(context, plane->texture);
     }
-    free(plane->block);
+    if (plane->buffer.generation) {
+        rhw_buffer_destroy(context, plane->buffer);
+    }
     *plane = (struct scene_plane){0};
 }
 
@@ -72,12 +71,18 @@ enum rhw_result scene_plane_create(rhw_context *context, enum rhw_format format,
     if (result != RHW_OK) {
         return result;
     }
-    plane->block = calloc(1, layout.size + RHW_MEMORY_ALIGNMENT);
-    if (!plane->block) {
-        return RHW_ERROR_OUT_OF_MEMORY;
+    struct rhw_buffer_def memory = rhw_buffer_def_default();
+    memory.size = layout.size;
+    result = rhw_buffer_create(context, &memory, &plane->buffer);
+    if (result != RHW_OK) {
+        return result;
     }
-    const size_t over = (uintptr_t)plane->block % RHW_MEMORY_ALIGNMENT;
-    plane->texels = (float *)((unsigned char *)plane->block + (RHW_MEMORY_ALIGNMENT - over));
+    void *bytes;
+    result = rhw_buffer_map(context, plane->buffer, 0, 0, RHW_MAP_READ_WRITE, &bytes);
+    if (result != RHW_OK) {
+        return result;
+    }
+    plane->texels = bytes;
     def.memory = plane->texels;
     def.memory_size = layout.size;
     return rhw_texture_create(context, &def, &plane->texture);

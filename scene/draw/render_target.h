@@ -28,7 +28,7 @@ struct scene_plane {
     rhw_texture texture;
     float *texels; ///< rows of `pitch`; the texture stands on them
     int pitch;
-    void *block; ///< what they lie in
+    rhw_buffer buffer; ///< what they lie in, mapped: the library's memory is on huge pages
 };
 
 /// `format`: R32_FLOAT or D32_FLOAT.
