@@ -26,6 +26,7 @@ enum {
         1 << 18, ///< operations on scalars of a shader, after its calls are put in their places
     RHW_SHADER_MAX_NESTING = 128,      ///< selections, loops and calls inside each other
     RHW_SHADER_MAX_MEMORY = 256 << 20, ///< bytes that a translation may take
+    RHW_SHADER_DRAW_OFFSET = 256,      ///< bytes of push constants up to the numbers of the draw
     RHW_SHADER_MESSAGE = 256           ///< bytes of a message, with the 0 at its end
 };
 
@@ -195,6 +196,7 @@ struct rhw_shader_info {
     uint32_t size[3];                        ///< invocations of a workgroup in each direction; of compute
     uint32_t shared_size;                    ///< bytes that they share
     bool reads_view_index;                   ///< with another rhw_shader_def.view_index it is another shader
+    bool reads_draw;                         ///< it asks for numbers of the draw: see struct rhw_shader_frame
 };
 
 /// Return what a shader is. It lives as long as the shader.
@@ -237,6 +239,16 @@ RHW_API void rhw_shader_program_destroy(rhw_shader_program *program);
 /// Return what rhw_pipeline_def.program takes. Attribute i of the pipeline is location i. The uniforms of the draw are
 /// a struct rhw_shader_frame (rhw_pass_set_uniforms).
 RHW_API const struct rhw_program *rhw_shader_program_get(const rhw_shader_program *program);
+/// What transform feedback keeps of a program's vertices: SPIR-V's XfbBuffer, XfbStride and Offset, in the words of
+/// rhw_pipeline_def.feedback_outputs and feedback_strides.
+struct rhw_shader_feedback {
+    struct rhw_feedback_output outputs[RHW_MAX_FEEDBACK_OUTPUTS];
+    int output_count; ///< 0: the vertex shader names none
+    uint32_t strides[RHW_MAX_FEEDBACK_TARGETS];
+};
+
+/// Return what transform feedback keeps. It lives as long as the program.
+RHW_API const struct rhw_shader_feedback *rhw_shader_program_get_feedback(const rhw_shader_program *program);
 /// Return what rhw_dispatch_def.program takes. The uniforms of the dispatch are a struct rhw_shader_frame.
 RHW_API const struct rhw_compute_program *rhw_shader_program_get_compute(const rhw_shader_program *program);
 
@@ -289,6 +301,8 @@ struct rhw_shader_frame {
     /// Sets. Bindings of a set lie behind one another in the order of their numbers, arrays with all their elements
     /// (rhw_shader_program_find). A set may be NULL, and a binding empty: they read as 0.
     const struct rhw_binding *sets[RHW_SHADER_MAX_SETS];
+    /// Push constants. For a shader that reads the draw (SPIR-V's BaseVertex, BaseInstance and DrawIndex), its base
+    /// vertex, first instance and number stand behind them, 4 bytes each from RHW_SHADER_DRAW_OFFSET on.
     const void *push_constants;
     uint32_t push_size; ///< bytes at `push_constants`
     uint32_t samples; ///< samples of a pixel, for interpolateAtSample; 0 makes every sample the pixel's centre

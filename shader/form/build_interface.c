@@ -23,6 +23,9 @@ struct built_in {
 static const struct built_in built_in_inputs[] = {
     {SPIRV_VERTEX_INDEX, SHADER_IN_VERTEX_INDEX, 1, SHADER_INT, IN_VERTEX},
     {SPIRV_INSTANCE_INDEX, SHADER_IN_INSTANCE_INDEX, 1, SHADER_INT, IN_VERTEX},
+    {SPIRV_BASE_VERTEX, NO_SLOT, 1, SHADER_INT, IN_VERTEX},
+    {SPIRV_BASE_INSTANCE, NO_SLOT, 1, SHADER_INT, IN_VERTEX},
+    {SPIRV_DRAW_INDEX, NO_SLOT, 1, SHADER_INT, IN_VERTEX},
     {SPIRV_FRAG_COORD, SHADER_IN_COORD, 4, SHADER_FLOAT, IN_FRAGMENT},
     {SPIRV_FRONT_FACING, SHADER_IN_FRONT_FACING, 1, SHADER_BOOL, IN_FRAGMENT},
     {SPIRV_PRIMITIVE_ID, SHADER_IN_PRIMITIVE, 1, SHADER_INT, IN_FRAGMENT},
@@ -64,22 +67,14 @@ static const struct built_in built_in_outputs[] = {
     {SPIRV_SAMPLE_MASK, SHADER_OUT_SAMPLE_MASK, 1, SHADER_INT, IN_FRAGMENT},
 };
 
-// Names of those that modules ask for and that are not here, for messages.
-static const struct {
-    enum spirv_built_in number;
-    const char *name;
-} other_built_ins[] = {
-    {SPIRV_BASE_VERTEX, "BaseVertex"},
-    {SPIRV_BASE_INSTANCE, "BaseInstance"},
-    {SPIRV_DRAW_INDEX, "DrawIndex"},
-};
-
 // One input or output as it is walked: scalars of the variable get slots.
 struct interface_walk {
     struct shader_builder *builder;
     const struct shader_variable *variable;
     uint32_t *scalars; // what the variable holds
     uint32_t next;     // scalar
+    bool is_captured;
+    uint32_t buffer, offset; // where transform feedback keeps the next scalar
 };
 
 static uint32_t output_home(struct shader_builder *builder, uint32_t slot)
@@ -90,19 +85,33 @@ static uint32_t output_home(struct shader_builder *builder, uint32_t slot)
     return builder->output_homes[slot];
 }
 
-_Noreturn static void refuse_built_in(const struct shader_builder *builder, int number, bool is_output)
+// Note that transform feedback keeps the next scalar.
+static void capture(struct interface_walk *walk, uint32_t slot)
 {
-    const char *name = "";
-    for (size_t i = 0; i < sizeof other_built_ins / sizeof *other_built_ins; i++) {
-        name = (int)other_built_ins[i].number == number ? other_built_ins[i].name : name;
+    struct shader_program *const program = walk->builder->program;
+    struct shader_capture *const last =
+        program->capture_count > 0 ? &program->captures[program->capture_count - 1] : NULL;
+    const bool goes_on = last && last->buffer == walk->buffer && last->slot + last->count == slot &&
+                         last->offset + 4 * last->count == walk->offset;
+    if (goes_on) {
+        last->count++;
+    } else {
+        if (program->capture_count == program->capture_room) {
+            program->captures = shader_grow(walk->builder->memory, program->captures, &program->capture_room,
+                                            sizeof *program->captures);
+        }
+        program->captures[program->capture_count++] =
+            (struct shader_capture){slot, 1, walk->buffer, walk->offset};
     }
-    shader_build_refuse(builder, "built-in %d%s%s is not supported in this stage as an %s", number,
-                        *name ? ", " : "", name, is_output ? "output" : "input");
+    walk->offset += 4;
 }
 
 static void add_scalar(struct interface_walk *walk, enum shader_op input, uint32_t slot)
 {
     struct shader_builder *const builder = walk->builder;
+    if (walk->is_captured) {
+        capture(walk, slot);
+    }
     walk->scalars[walk->next++] = walk->variable->storage == SPIRV_OUTPUT
                                       ? output_home(builder, slot)
                                       : shader_emit_with(builder, input, slot, 0, 0, 0);
@@ -121,12 +130,24 @@ static enum shader_type_kind component_kind(const struct shader_type *type)
     return type->kind == SHADER_VECTOR || type->kind == SHADER_ARRAY ? type->element->kind : type->kind;
 }
 
+// Return a number of the draw, which stands behind the push constants.
+static uint32_t draw_parameter(struct shader_builder *builder, uint32_t number)
+{
+    const uint32_t push = shader_emit_with(builder, SHADER_PUSH, 0, 0, 0, 0);
+    builder->program->reads_draw = true;
+    return shader_emit_with(builder, SHADER_LOAD, SHADER_DRAW_OFFSET + 4 * number, push,
+                            shader_number(builder, 0), 0);
+}
+
 // Return a component of what is built in and has no slot.
 static uint32_t value_without_slot(struct shader_builder *builder, int number, uint32_t component)
 {
     if (number == SPIRV_VIEW_INDEX) {
         builder->program->reads_view_index = true;
         return shader_number(builder, builder->program->view_index);
+    }
+    if (number >= SPIRV_BASE_VERTEX && number <= SPIRV_DRAW_INDEX) {
+        return draw_parameter(builder, (uint32_t)(number - SPIRV_BASE_VERTEX));
     }
     const uint32_t value = shader_subgroup_built_in(builder, number, component);
     return value != SHADER_NO_VALUE ? value : shader_number(builder, 0);
@@ -163,7 +184,8 @@ static void add_built_in(struct interface_walk *walk, const struct shader_type *
         }
         return;
     }
-    refuse_built_in(builder, number, is_output);
+    shader_build_refuse(builder, "built-in %d is not supported in this stage as an %s", number,
+                        is_output ? "output" : "input");
 }
 
 // The first slot of outputs. A fragment shader's output of index 1 is the second source of blending (Vulkan 1.3,
@@ -241,6 +263,35 @@ static uint32_t add_located(struct interface_walk *walk, const struct shader_typ
     }
 }
 
+// Return the value of a decoration of a variable or of a member of its block (`member` is -1 without one), or `none`.
+static uint32_t decorated(const struct interface_walk *walk, int member, enum spirv_decoration number,
+                          uint32_t none)
+{
+    const struct shader_variable *const variable = walk->variable;
+    const struct shader_module *const module = walk->builder->module;
+    const struct shader_decoration *found =
+        member < 0 ? NULL : shader_find_decoration(module, variable->type->id, member, number);
+    found = found ? found : shader_find_decoration(module, variable->id, -1, number);
+    return found ? found->value : none;
+}
+
+// Find out whether transform feedback keeps an output of vertices, and where (SPIR-V, XfbBuffer, XfbStride, Offset).
+static void find_capture(struct interface_walk *walk, int member)
+{
+    struct shader_builder *const builder = walk->builder;
+    walk->buffer = decorated(walk, member, SPIRV_XFB_BUFFER, UINT32_MAX);
+    walk->offset = decorated(walk, member, SPIRV_OFFSET, UINT32_MAX);
+    walk->is_captured = walk->variable->storage == SPIRV_OUTPUT && builder->entry->model == SPIRV_VERTEX &&
+                        walk->buffer != UINT32_MAX && walk->offset != UINT32_MAX;
+    if (walk->is_captured && (walk->buffer >= SHADER_MAX_CAPTURE_BUFFERS || walk->offset > INT32_MAX)) {
+        shader_build_refuse(builder, "transform feedback has %d buffers, and offsets below 2^31",
+                            SHADER_MAX_CAPTURE_BUFFERS);
+    }
+    if (walk->is_captured) {
+        builder->program->strides[walk->buffer] = decorated(walk, member, SPIRV_XFB_STRIDE, 0);
+    }
+}
+
 void shader_build_interface_variable(struct shader_builder *builder, const struct shader_variable *variable,
                                      struct shader_place *place)
 {
@@ -252,13 +303,16 @@ void shader_build_interface_variable(struct shader_builder *builder, const struc
         (variable->storage == SPIRV_OUTPUT || variable->built_in < 0)) {
         shader_build_refuse(builder, "compute has no outputs, and no inputs but built-in ones");
     }
-    struct interface_walk walk = {builder, variable, shader_new_scalars(builder, type), 0};
+    struct interface_walk walk = {
+        .builder = builder, .variable = variable, .scalars = shader_new_scalars(builder, type)};
+    find_capture(&walk, -1);
     if (variable->built_in >= 0) {
         add_built_in(&walk, type, variable->built_in);
     } else if (type->kind == SHADER_STRUCT && type->is_block) {
         uint32_t location = variable->location < 0 ? 0 : (uint32_t)variable->location;
         for (uint32_t i = 0; i < type->count; i++) {
             const struct shader_member *const member = &type->members[i];
+            find_capture(&walk, (int)i);
             if (member->built_in >= 0) {
                 add_built_in(&walk, member->type, member->built_in);
                 continue;

@@ -94,6 +94,18 @@ struct shader_resource {
     uint32_t count;                 // number of elements; 0: as many as are bound
 };
 
+enum {
+    SHADER_MAX_CAPTURE_BUFFERS = 4,
+    SHADER_DRAW_OFFSET = 256 // bytes of push constants up to the numbers of the draw
+};
+
+// Scalars of outputs, one slot after the other, that transform feedback keeps of a vertex.
+struct shader_capture {
+    uint32_t slot, count; // enum shader_output
+    uint32_t buffer;
+    uint32_t offset; // bytes
+};
+
 struct shader_program {
     struct shader_memory *memory;
     const struct shader_module *module;
@@ -117,10 +129,15 @@ struct shader_program {
     uint32_t private_count;                    // words that PRIVATEs have
     uint8_t interpolation[SHADER_IN_CENTROID]; // or-ed enum shader_interpolation, by number of an input
     bool writes[SHADER_OUT_COUNT];
-    uint32_t workgroup_size; // bytes of memory of the workgroup
+    struct shader_capture *captures;
+    uint32_t capture_count;
+    size_t capture_room;
+    uint32_t strides[SHADER_MAX_CAPTURE_BUFFERS]; // bytes from vertex to vertex; 0: none is given
+    uint32_t workgroup_size;                      // bytes of memory of the workgroup
     bool has_barriers, uses_atomic_results;
     uint32_t view_index; // value of ViewIndex
     bool reads_view_index;
+    bool reads_draw;
     bool shades_samples; // a fragment is one sample: an input is declared so, or the sample is built in
 };
 

@@ -8,6 +8,7 @@
 
 enum { COMPONENTS = 4, NO_COMPONENT = 0xff };
 
+_Static_assert((int)SHADER_DRAW_OFFSET == (int)RHW_SHADER_DRAW_OFFSET, "shaders and their users agree");
 _Static_assert((int)SHADER_INPUT_NUMBERS == (int)SHADER_IN_NUMBERS, "code has a place for each input");
 
 // Return by value whether something reads it.

@@ -5,7 +5,7 @@
 
 #include "form/form.h"
 #include "interpreter/bytecode.h"
-#include "rhw/types.h"
+#include "rhw/spirv.h"
 
 // What a stage reads and writes, found in its code.
 struct shader_interface {
@@ -21,6 +21,11 @@ struct shader_interface {
 };
 
 void shader_find_interface(const struct shader_program *program, struct shader_interface *interface);
+// Make varyings of outputs that transform feedback keeps and fragments do not read, and describe all that it keeps.
+// Return false, with a message, where there are too many.
+bool shader_link_feedback(const struct shader_program *vertex, struct shader_bytecode *vertex_code,
+                          struct rhw_program *program, struct rhw_shader_feedback *feedback, char *message);
+
 // Give varyings their components, and describe the program. Return false, with a message, where the stages do not fit.
 // `fragment` may be NULL.
 bool shader_link(const struct shader_interface *vertex, const struct shader_interface *fragment,

@@ -214,9 +214,12 @@ static bool link_graphics(rhw_shader_program *program, char *message)
     const rhw_shader *const given = program->shaders[RHW_SHADER_FRAGMENT];
     const rhw_shader *const below = given && has_work(&given->interface) ? given : NULL;
     struct shader_bytecode *const bytecode = program->bytecode;
-    const bool fits = shader_link(&program->shaders[RHW_SHADER_VERTEX]->interface,
-                                  below ? &below->interface : NULL, &bytecode[RHW_SHADER_VERTEX],
-                                  below ? &bytecode[RHW_SHADER_FRAGMENT] : NULL, &program->program, message);
+    bool fits = shader_link(&program->shaders[RHW_SHADER_VERTEX]->interface, below ? &below->interface : NULL,
+                            &bytecode[RHW_SHADER_VERTEX], below ? &bytecode[RHW_SHADER_FRAGMENT] : NULL,
+                            &program->program, message);
+    fits =
+        fits && shader_link_feedback(program->shaders[RHW_SHADER_VERTEX]->form, &bytecode[RHW_SHADER_VERTEX],
+                                     &program->program, &program->feedback, message);
     bytecode[RHW_SHADER_FRAGMENT].target_count = MAX_TARGETS;
     memcpy(program->program.vertex, vertex, sizeof vertex);
     if (below) {
@@ -370,6 +373,11 @@ bool rhw_shader_program_is_generated(const rhw_shader_program *program, enum rhw
 const struct rhw_program *rhw_shader_program_get(const rhw_shader_program *program)
 {
     return &program->program;
+}
+
+const struct rhw_shader_feedback *rhw_shader_program_get_feedback(const rhw_shader_program *program)
+{
+    return &program->feedback;
 }
 
 const struct rhw_compute_program *rhw_shader_program_get_compute(const rhw_shader_program *program)

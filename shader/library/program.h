@@ -19,6 +19,7 @@ struct rhw_shader_program {
     uint32_t layout_count;
     bool is_interpreted;
     struct rhw_program program;
+    struct rhw_shader_feedback feedback;
     struct rhw_compute_program compute;
 };
 

@@ -294,6 +294,7 @@ void shader_reflect(rhw_shader *shader)
     info->outputs = reflect_variables(shader, SPIRV_OUTPUT, &info->output_count);
     info->shared_size = shader->form->workgroup_size;
     info->reads_view_index = shader->form->reads_view_index;
+    info->reads_draw = shader->form->reads_draw;
     for (int i = 0; i < 3; i++) {
         info->size[i] = info->stage == RHW_SHADER_COMPUTE ? shader->form->entry->local_size[i] : 0;
     }

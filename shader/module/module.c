@@ -168,7 +168,7 @@ static bool is_supported(uint32_t capability)
         40,   41,   42,   43,       // InputAttachment, SparseResidency, MinLod, Sampled1D
         44,   45,                   // Image1D, SampledCubeArray
         46,   47,   48,   49,   50, 51, 52, // SampledBuffer … InterpolationFunction
-        55,   56,   57,                     // StorageImageRead, StorageImageWriteWithoutFormat, MultiViewport
+        53,   55,   56,   57, // TransformFeedback, StorageImageRead, StorageImageWriteWithoutFormat, MultiViewport
         61,   62,   63,   64,   65, 66, 67, 68, // GroupNonUniform and its kin
         69,   70,   5254,                       // ShaderLayer, ShaderViewportIndex, and both in one
         4427,                                   // DrawParameters

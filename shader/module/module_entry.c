@@ -37,6 +37,7 @@ static void set_mode(struct shader_module *module, uint32_t word, struct shader_
     case SPIRV_DEPTH_GREATER: entry->depth_change = 1; return;
     case SPIRV_DEPTH_LESS: entry->depth_change = -1; return;
     case SPIRV_ORIGIN_UPPER_LEFT:
+    case SPIRV_XFB:
     case SPIRV_DEPTH_UNCHANGED: return;
     case SPIRV_LOCAL_SIZE:
         for (uint32_t i = 0; i < 3; i++) {
