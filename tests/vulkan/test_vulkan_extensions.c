@@ -4,6 +4,8 @@
 
 #include "border_frag.h"
 #include "flat_frag.h"
+#include "kept_vert.h"
+#include "numbers_vert.h"
 #include "packed_comp.h"
 #include "stand_vert.h"
 #include "vulkan_picture.h"
@@ -234,11 +236,154 @@ static void members_stand_close_together(void **state)
     rig_close(&rig);
 }
 
+// Draws know their numbers, those that stand in a buffer too.
+static void shaders_read_numbers_of_the_draw(void **state)
+{
+    (void)state;
+    struct drawing d;
+    open_drawing(&d);
+    const VkDrawIndirectCommand given[2] = {{3, 1, 20, 7}, {3, 1, 100, 50}};
+    const float scale[4] = {1 / 255.0f, 1 / 255.0f, 1 / 255.0f, 1 / 255.0f};
+    const struct rig_buffer commands = rig_buffer(&d.rig, sizeof given, given);
+    d.state.stages[0].module = rig_shader(&d.rig, numbers_vert, sizeof numbers_vert);
+    d.state.input.vertexBindingDescriptionCount = d.state.input.vertexAttributeDescriptionCount = 0;
+    d.state.layout = rig_layout(&d.rig, NULL, 0, sizeof scale);
+    begin_drawing(&d, whole, sizeof whole);
+    vkCmdPushConstants(d.rig.commands, d.state.layout, VK_SHADER_STAGE_ALL, 0, sizeof scale, scale);
+    vkCmdDrawIndirect(d.rig.commands, commands.buffer, 0, 2, sizeof given[0]);
+    picture_end(&d.picture);
+    assert_int_equal(picture_texel(&d.picture, 1, 1), 20u << 24 | 7 << 16 | 0 << 8 | 255);
+    assert_int_equal(picture_texel(&d.picture, 1, 17), 100u << 24 | 50 << 16 | 1 << 8 | 255);
+    rig_close(&d.rig);
+}
+
+// Transform feedback ---------------------------------------------------------------------------------
+
+struct kept {
+    float number, color[4], unused;
+};
+
+struct feedback {
+    PFN_vkCmdBindTransformFeedbackBuffersEXT bind;
+    PFN_vkCmdBeginTransformFeedbackEXT begin;
+    PFN_vkCmdEndTransformFeedbackEXT end;
+    PFN_vkCmdDrawIndirectByteCountEXT draw;
+    PFN_vkCmdBeginQueryIndexedEXT begin_query;
+    PFN_vkCmdEndQueryIndexedEXT end_query;
+};
+
+static void find_feedback(const struct rig *rig, struct feedback *f)
+{
+    VkDevice device = rig->device;
+    f->bind = (PFN_vkCmdBindTransformFeedbackBuffersEXT)vkGetDeviceProcAddr(
+        device, "vkCmdBindTransformFeedbackBuffersEXT");
+    f->begin =
+        (PFN_vkCmdBeginTransformFeedbackEXT)vkGetDeviceProcAddr(device, "vkCmdBeginTransformFeedbackEXT");
+    f->end = (PFN_vkCmdEndTransformFeedbackEXT)vkGetDeviceProcAddr(device, "vkCmdEndTransformFeedbackEXT");
+    f->draw = (PFN_vkCmdDrawIndirectByteCountEXT)vkGetDeviceProcAddr(device, "vkCmdDrawIndirectByteCountEXT");
+    f->begin_query = (PFN_vkCmdBeginQueryIndexedEXT)vkGetDeviceProcAddr(device, "vkCmdBeginQueryIndexedEXT");
+    f->end_query = (PFN_vkCmdEndQueryIndexedEXT)vkGetDeviceProcAddr(device, "vkCmdEndQueryIndexedEXT");
+}
+
+static VkQueryPool create_query(const struct rig *rig)
+{
+    VkQueryPool pool;
+    const VkQueryPoolCreateInfo info = {.sType = VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO,
+                                        .queryType = VK_QUERY_TYPE_TRANSFORM_FEEDBACK_STREAM_EXT,
+                                        .queryCount = 1};
+    CHECK(vkCreateQueryPool(rig->device, &info, NULL, &pool));
+    vkCmdResetQueryPool(rig->commands, pool, 0, 1);
+    return pool;
+}
+
+static void expect_counts(const struct rig *rig, VkQueryPool query, uint64_t written, uint64_t needed)
+{
+    uint64_t counts[2];
+    CHECK(vkGetQueryPoolResults(rig->device, query, 0, 1, sizeof counts, counts, sizeof counts,
+                                VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT));
+    assert_true(counts[0] == written && counts[1] == needed);
+}
+
+// Draw with a pipeline, and keep the vertices from where the counter stands, or from the begin.
+static void keep(struct drawing *d, const struct feedback *f, VkPipeline pipeline, uint32_t vertices,
+                 uint32_t draws, const struct rig_buffer *counter, bool goes_on, VkQueryPool query)
+{
+    const VkBuffer counters[2] = {counter->buffer, counter->buffer};
+    const VkDeviceSize offsets[2] = {4, 8};
+    vkCmdBindPipeline(d->rig.commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline);
+    f->begin_query(d->rig.commands, query, 0, 0, 0);
+    f->begin(d->rig.commands, 0, goes_on ? 2 : 0, counters, offsets);
+    for (uint32_t i = 0; i < draws; i++) {
+        vkCmdDraw(d->rig.commands, vertices, 1, 0, 0);
+    }
+    f->end(d->rig.commands, 0, 2, counters, offsets);
+    f->end_query(d->rig.commands, query, 0, 0);
+    vkCmdEndRenderPass(d->rig.commands);
+    rig_run(&d->rig);
+}
+
+// A triangle goes to buffers with room for three, and in another pass a strip of two, twice, of which the second has no
+// room. Then what was kept is drawn.
+static void vertices_are_kept(void **state)
+{
+    (void)state;
+    enum { ROOM = 9 };
+    struct drawing d;
+    struct feedback f;
+    open_drawing(&d);
+    find_feedback(&d.rig, &f);
+    const struct corner corners[4] = {{{-1, -1, 0}}, {{3, -1, 0}}, {{-1, 3, 0}}, {{3, 3, 0}}};
+    const struct rig_buffer positions = rig_buffer(&d.rig, ROOM * 16, NULL),
+                            others = rig_buffer(&d.rig, ROOM * sizeof(struct kept), NULL),
+                            counter = rig_buffer(&d.rig, 12, NULL);
+    const VkBuffer buffers[2] = {positions.buffer, others.buffer};
+    const VkDeviceSize offsets[2] = {0, 0};
+    const float(*const at)[4] = positions.bytes;
+    const struct kept *const kept = others.bytes;
+    const VkQueryPool queries[2] = {create_query(&d.rig), create_query(&d.rig)};
+    d.state.stages[0].module = rig_shader(&d.rig, kept_vert, sizeof kept_vert);
+    d.state.buffers[1].inputRate = VK_VERTEX_INPUT_RATE_INSTANCE;
+    VkPipeline list = picture_pipeline(&d.picture, &d.state, d.picture.pass, 0);
+    d.state.assembly.topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_STRIP;
+    VkPipeline strip = picture_pipeline(&d.picture, &d.state, d.picture.pass, 0);
+    begin_drawing(&d, corners, sizeof corners);
+    f.bind(d.rig.commands, 0, 2, buffers, offsets, NULL);
+    keep(&d, &f, list, 3, 1, &counter, false, queries[0]);
+    expect_counts(&d.rig, queries[0], 1, 1);
+    assert_int_equal(((const uint32_t *)counter.bytes)[1], 3 * 16);
+    assert_memory_equal(at[2], ((const float[4]){-1, 3, 0, 1}), sizeof at[2]);
+    assert_true(kept[2].number == 12 && kept[2].color[0] == 1 && kept[2].color[1] == 0);
+    begin_drawing(&d, corners, sizeof corners);
+    f.bind(d.rig.commands, 0, 2, buffers, offsets, NULL);
+    keep(&d, &f, strip, 4, 2, &counter, true, queries[1]);
+    expect_counts(&d.rig, queries[1], 2, 4);
+    assert_int_equal(((const uint32_t *)counter.bytes)[1], ROOM * 16);
+    assert_true(kept[3].number == 10 && kept[8].number >= 11 && kept[8].number <= 13);
+    // The position without its W is a corner; the stride is the same.
+    d.state.stages[0].module = rig_shader(&d.rig, stand_vert, sizeof stand_vert);
+    d.state.assembly.topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
+    d.state.buffers[0].stride = 16;
+    begin_drawing(&d, corners, sizeof corners);
+    vkCmdBindVertexBuffers(d.rig.commands, 0, 1, buffers, offsets);
+    f.draw(d.rig.commands, 1, 0, counter.buffer, 4, 0, 16);
+    picture_end(&d.picture);
+    assert_int_equal(picture_texel(&d.picture, 60, 60), red);
+    for (int i = 0; i < 2; i++) {
+        vkDestroyQueryPool(d.rig.device, queries[i], NULL);
+    }
+    rig_close(&d.rig);
+}
+
 static const struct CMUnitTest tests[] = {
-    cmocka_unit_test(the_last_vertex_may_provoke),  cmocka_unit_test(instances_share_elements),
-    cmocka_unit_test(depth_may_be_beyond_the_view), cmocka_unit_test(lines_are_stippled),
-    cmocka_unit_test(indices_may_be_bytes),         cmocka_unit_test(borders_have_any_color),
+    cmocka_unit_test(the_last_vertex_may_provoke),
+    cmocka_unit_test(instances_share_elements),
+    cmocka_unit_test(depth_may_be_beyond_the_view),
+    cmocka_unit_test(lines_are_stippled),
+    cmocka_unit_test(indices_may_be_bytes),
+    cmocka_unit_test(borders_have_any_color),
     cmocka_unit_test(members_stand_close_together),
+    cmocka_unit_test(shaders_read_numbers_of_the_draw),
+    cmocka_unit_test(vertices_are_kept),
 };
 
 const struct unit_tests test_vulkan_extensions = UNIT_TESTS(tests, NULL, NULL);

@@ -63,13 +63,13 @@ static void begin_commands(struct rig *rig)
 
 // Features of extensions that Zink asks for, and extensions without any.
 static const char *const extensions[] = {
-    VK_KHR_CREATE_RENDERPASS_2_EXTENSION_NAME,     VK_KHR_DEPTH_STENCIL_RESOLVE_EXTENSION_NAME,
-    VK_KHR_DYNAMIC_RENDERING_EXTENSION_NAME,       VK_KHR_IMAGE_FORMAT_LIST_EXTENSION_NAME,
-    VK_KHR_IMAGELESS_FRAMEBUFFER_EXTENSION_NAME,   VK_KHR_TIMELINE_SEMAPHORE_EXTENSION_NAME,
-    VK_EXT_CUSTOM_BORDER_COLOR_EXTENSION_NAME,     VK_EXT_DEPTH_CLIP_ENABLE_EXTENSION_NAME,
-    VK_EXT_INDEX_TYPE_UINT8_EXTENSION_NAME,        VK_EXT_LINE_RASTERIZATION_EXTENSION_NAME,
-    VK_EXT_PROVOKING_VERTEX_EXTENSION_NAME,        VK_EXT_SCALAR_BLOCK_LAYOUT_EXTENSION_NAME,
-    VK_EXT_VERTEX_ATTRIBUTE_DIVISOR_EXTENSION_NAME};
+    VK_KHR_CREATE_RENDERPASS_2_EXTENSION_NAME,   VK_KHR_DEPTH_STENCIL_RESOLVE_EXTENSION_NAME,
+    VK_KHR_DYNAMIC_RENDERING_EXTENSION_NAME,     VK_KHR_IMAGE_FORMAT_LIST_EXTENSION_NAME,
+    VK_KHR_IMAGELESS_FRAMEBUFFER_EXTENSION_NAME, VK_KHR_TIMELINE_SEMAPHORE_EXTENSION_NAME,
+    VK_EXT_CUSTOM_BORDER_COLOR_EXTENSION_NAME,   VK_EXT_DEPTH_CLIP_ENABLE_EXTENSION_NAME,
+    VK_EXT_INDEX_TYPE_UINT8_EXTENSION_NAME,      VK_EXT_LINE_RASTERIZATION_EXTENSION_NAME,
+    VK_EXT_PROVOKING_VERTEX_EXTENSION_NAME,      VK_EXT_SCALAR_BLOCK_LAYOUT_EXTENSION_NAME,
+    VK_EXT_TRANSFORM_FEEDBACK_EXTENSION_NAME,    VK_EXT_VERTEX_ATTRIBUTE_DIVISOR_EXTENSION_NAME};
 
 // Ask the device for all features of these structs, and enable them.
 struct features {
@@ -84,6 +84,8 @@ struct features {
     VkPhysicalDeviceProvokingVertexFeaturesEXT provoking;
     VkPhysicalDeviceScalarBlockLayoutFeatures layouts;
     VkPhysicalDeviceVertexAttributeDivisorFeaturesEXT divisors;
+    VkPhysicalDeviceTransformFeedbackFeaturesEXT feedback;
+    VkPhysicalDeviceShaderDrawParametersFeatures numbers;
     VkPhysicalDeviceFeatures2 all;
 };
 
@@ -101,7 +103,9 @@ static void ask_features(VkPhysicalDevice physical, struct features *f)
         .provoking = {VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROVOKING_VERTEX_FEATURES_EXT, &f->lines},
         .layouts = {VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_SCALAR_BLOCK_LAYOUT_FEATURES, &f->provoking},
         .divisors = {VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VERTEX_ATTRIBUTE_DIVISOR_FEATURES_EXT, &f->layouts},
-        .all = {VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2, &f->divisors, {0}}};
+        .feedback = {VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_TRANSFORM_FEEDBACK_FEATURES_EXT, &f->divisors},
+        .numbers = {VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_SHADER_DRAW_PARAMETERS_FEATURES, &f->feedback},
+        .all = {VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2, &f->numbers, {0}}};
     vkGetPhysicalDeviceFeatures2(physical, &f->all);
 }
 
@@ -233,7 +237,8 @@ struct rig_buffer rig_buffer(struct rig *rig, VkDeviceSize size, const void *dat
                  VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT | VK_BUFFER_USAGE_STORAGE_TEXEL_BUFFER_BIT |
                  VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT | VK_BUFFER_USAGE_STORAGE_BUFFER_BIT |
                  VK_BUFFER_USAGE_INDEX_BUFFER_BIT | VK_BUFFER_USAGE_VERTEX_BUFFER_BIT |
-                 VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT};
+                 VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFORM_FEEDBACK_BUFFER_BIT_EXT |
+                 VK_BUFFER_USAGE_TRANSFORM_FEEDBACK_COUNTER_BUFFER_BIT_EXT};
     VkMemoryRequirements needs;
     CHECK(vkCreateBuffer(rig->device, &info, NULL, &made.buffer));
     vkGetBufferMemoryRequirements(rig->device, made.buffer, &needs);

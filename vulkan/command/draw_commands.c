@@ -177,7 +177,11 @@ static bool begin_draw(struct vulkan_replay *replay, bool is_indexed)
     if (is_indexed && (bound->news & VULKAN_NEWS_INDICES)) {
         tell_indices(replay);
     }
-    return tell_shaders(replay, pipeline, is_new);
+    if (!tell_shaders(replay, pipeline, is_new)) {
+        return false;
+    }
+    vulkan_feedback_resume(replay);
+    return true;
 }
 
 // Direct draws ---------------------------------------------------------------------------------------
@@ -187,8 +191,25 @@ struct draw {
     VkDrawIndirectCommand draw;
 };
 
-static void draw(struct vulkan_replay *replay, const VkDrawIndirectCommand *draw)
+// Tell shaders that read them a draw's base vertex, first instance and number. Return false without memory.
+static bool tell_numbers(struct vulkan_replay *replay, uint32_t vertex, uint32_t instance, uint32_t number)
 {
+    struct vulkan_bound *const bound = &replay->bound;
+    if (!bound->graphics.pipeline->reads_draw) {
+        return true;
+    }
+    if (!vulkan_shader_input_draw(replay, (const uint32_t[3]){vertex, instance, number}, &bound->frame)) {
+        return false;
+    }
+    rhw_pass_set_uniforms(replay->context, replay->pass.pass, &bound->frame, sizeof bound->frame);
+    return true;
+}
+
+static void draw(struct vulkan_replay *replay, const VkDrawIndirectCommand *draw, uint32_t number)
+{
+    if (!tell_numbers(replay, draw->firstVertex, draw->firstInstance, number)) {
+        return;
+    }
     rhw_pass_draw(replay->context, replay->pass.pass, draw->firstVertex, draw->vertexCount,
                   draw->firstInstance, draw->instanceCount);
 }
@@ -196,7 +217,7 @@ static void draw(struct vulkan_replay *replay, const VkDrawIndirectCommand *draw
 static void replay_draw(struct vulkan_replay *replay, const struct vulkan_command *command)
 {
     if (begin_draw(replay, false)) {
-        draw(replay, &((const struct draw *)command)->draw);
+        draw(replay, &((const struct draw *)command)->draw, 0);
     }
 }
 
@@ -214,8 +235,12 @@ struct draw_indexed {
     VkDrawIndexedIndirectCommand draw;
 };
 
-static void draw_indexed(struct vulkan_replay *replay, const VkDrawIndexedIndirectCommand *draw)
+static void draw_indexed(struct vulkan_replay *replay, const VkDrawIndexedIndirectCommand *draw,
+                         uint32_t number)
 {
+    if (!tell_numbers(replay, (uint32_t)draw->vertexOffset, draw->firstInstance, number)) {
+        return;
+    }
     rhw_pass_draw_indexed(replay->context, replay->pass.pass, draw->firstIndex, draw->indexCount,
                           draw->vertexOffset, draw->firstInstance, draw->instanceCount);
 }
@@ -223,7 +248,7 @@ static void draw_indexed(struct vulkan_replay *replay, const VkDrawIndexedIndire
 static void replay_draw_indexed(struct vulkan_replay *replay, const struct vulkan_command *command)
 {
     if (begin_draw(replay, true)) {
-        draw_indexed(replay, &((const struct draw_indexed *)command)->draw);
+        draw_indexed(replay, &((const struct draw_indexed *)command)->draw, 0);
     }
 }
 
@@ -269,7 +294,7 @@ static void replay_draw_indirect(struct vulkan_replay *replay, const struct vulk
         const void *const place = find_command(record, i, sizeof read);
         if (place) {
             memcpy(&read, place, sizeof read);
-            draw(replay, &read);
+            draw(replay, &read, i);
         }
     }
 }
@@ -285,7 +310,7 @@ static void replay_draw_indexed_indirect(struct vulkan_replay *replay, const str
         const void *const place = find_command(record, i, sizeof read);
         if (place) {
             memcpy(&read, place, sizeof read);
-            draw_indexed(replay, &read);
+            draw_indexed(replay, &read, i);
         }
     }
 }
@@ -299,6 +324,48 @@ static void record_indirect(VkCommandBuffer buffer, vulkan_replay_function *repl
         record->offset = offset;
         record->count = count;
         record->stride = stride;
+    }
+}
+
+// A draw of as many vertices as transform feedback has written: a counter says how many bytes.
+struct draw_counted {
+    struct vulkan_command command;
+    VkBuffer buffer;
+    VkDeviceSize offset;
+    uint32_t counter_offset, stride;
+    uint32_t instances, first_instance;
+};
+
+static void replay_draw_counted(struct vulkan_replay *replay, const struct vulkan_command *command)
+{
+    const struct draw_counted *const record = (const struct draw_counted *)command;
+    uint32_t bytes;
+    if (vulkan_buffer_range(record->buffer, record->offset, VK_WHOLE_SIZE) < sizeof bytes ||
+        record->stride == 0) {
+        vulkan_log("vkCmdDrawIndirectByteCountEXT: a draw is left out, whose counter lies behind its buffer");
+        return;
+    }
+    memcpy(&bytes, record->buffer->bytes + record->offset, sizeof bytes);
+    const uint32_t left = bytes > record->counter_offset ? bytes - record->counter_offset : 0;
+    const VkDrawIndirectCommand counted = {left / record->stride, record->instances, 0,
+                                           record->first_instance};
+    if (begin_draw(replay, false)) {
+        draw(replay, &counted, 0);
+    }
+}
+
+void vkCmdDrawIndirectByteCountEXT(VkCommandBuffer buffer, uint32_t instances, uint32_t first_instance,
+                                   VkBuffer counter, VkDeviceSize offset, uint32_t counter_offset,
+                                   uint32_t stride)
+{
+    struct draw_counted *const record = vulkan_record(buffer, sizeof *record, replay_draw_counted);
+    if (record) {
+        record->buffer = counter;
+        record->offset = offset;
+        record->counter_offset = counter_offset;
+        record->stride = stride;
+        record->instances = instances;
+        record->first_instance = first_instance;
     }
 }
 

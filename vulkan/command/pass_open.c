@@ -235,6 +235,7 @@ void vulkan_pass_close(struct vulkan_replay *replay)
     if (!pass->is_open) {
         return;
     }
+    vulkan_feedback_suspend(replay);
     vulkan_query_suspend(replay);
     pass->is_open = false;
     vulkan_replay_check(replay, rhw_pass_end(replay->context, pass->pass, NULL), "render pass");

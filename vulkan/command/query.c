@@ -17,14 +17,16 @@ struct vulkan_query_part {
     bool ends; ///< the query has its answer with this part
 };
 
-static void add(struct vulkan_replay *replay, VkQueryPool pool, uint32_t index, uint64_t value, bool ends)
+static void add(struct vulkan_replay *replay, VkQueryPool pool, uint32_t index, const uint64_t values[2],
+                bool ends)
 {
     if (index >= pool->count) {
         vulkan_log("a query has number %u in a pool of %u", index, pool->count);
         return;
     }
     pthread_mutex_lock(&replay->queue->lock);
-    pool->queries[index].value += value;
+    pool->queries[index].values[0] += values[0];
+    pool->queries[index].values[1] += values[1];
     pool->queries[index].is_available = pool->queries[index].is_available || ends;
     pthread_cond_broadcast(&replay->queue->changed);
     pthread_mutex_unlock(&replay->queue->lock);
@@ -40,26 +42,42 @@ static struct vulkan_query_part *make_part(struct vulkan_replay *replay, VkQuery
     return part;
 }
 
-void vulkan_query_resume(struct vulkan_replay *replay)
+// Let a query that is under way ask the pass that is open.
+static void resume(struct vulkan_replay *replay, enum vulkan_query_kind kind)
 {
-    struct vulkan_active_query *const active = &replay->active;
+    struct vulkan_active_query *const active = &replay->active[kind];
     active->part = NULL;
     if (!active->pool) {
         return;
     }
     struct vulkan_query_part *const part = make_part(replay, active->pool, active->index);
-    const struct rhw_query_def def = {.kind = RHW_QUERY_OCCLUSION};
+    const struct rhw_query_def def = {.kind = kind == VULKAN_QUERY_FEEDBACK ? RHW_QUERY_TRANSFORM_FEEDBACK
+                                                                            : RHW_QUERY_OCCLUSION};
     if (part && vulkan_replay_check(replay, rhw_query_create(replay->context, &def, &part->query), "query")) {
         rhw_pass_begin_query(replay->context, replay->pass.pass, part->query);
         active->part = part;
     }
 }
 
+void vulkan_query_resume(struct vulkan_replay *replay)
+{
+    for (int kind = 0; kind < VULKAN_QUERY_KINDS; kind++) {
+        resume(replay, (enum vulkan_query_kind)kind);
+    }
+}
+
+static void suspend(struct vulkan_replay *replay, struct vulkan_active_query *active)
+{
+    if (active->part) {
+        rhw_pass_end_query(replay->context, replay->pass.pass, active->part->query);
+        active->part = NULL;
+    }
+}
+
 void vulkan_query_suspend(struct vulkan_replay *replay)
 {
-    if (replay->active.part) {
-        rhw_pass_end_query(replay->context, replay->pass.pass, replay->active.part->query);
-        replay->active.part = NULL;
+    for (int kind = 0; kind < VULKAN_QUERY_KINDS; kind++) {
+        suspend(replay, &replay->active[kind]);
     }
 }
 
@@ -68,18 +86,18 @@ void vulkan_query_collect(struct vulkan_replay *replay)
     // One time for all, since the list is not in their order.
     const uint64_t now = replay->parts ? vulkan_now() : 0;
     for (struct vulkan_query_part *part = replay->parts; part; part = part->next) {
-        uint64_t value = 0;
-        if (part->query.context == 0) {
-            value = now;
-        } else {
+        uint64_t values[2] = {now, 0};
+        if (part->query.context != 0) {
             struct rhw_query_counts counts = {0};
             if (replay->result == VK_SUCCESS) {
                 rhw_query_read(replay->context, part->query, &counts);
             }
-            value = counts.samples_passed;
+            const bool is_feedback = part->pool->type == VK_QUERY_TYPE_TRANSFORM_FEEDBACK_STREAM_EXT;
+            values[0] = is_feedback ? counts.primitives_written : counts.samples_passed;
+            values[1] = is_feedback ? counts.primitives_needed : 0;
             rhw_query_destroy(replay->context, part->query);
         }
-        add(replay, part->pool, part->index, value, part->ends);
+        add(replay, part->pool, part->index, values, part->ends);
     }
     replay->parts = NULL;
 }
@@ -126,26 +144,33 @@ static uint32_t query_of_view(const struct vulkan_replay *replay, uint32_t index
     return index + (uint32_t)__builtin_popcount(views & ((1u << pass->view_index) - 1));
 }
 
+static enum vulkan_query_kind kind_of(VkQueryPool pool)
+{
+    return pool->type == VK_QUERY_TYPE_TRANSFORM_FEEDBACK_STREAM_EXT ? VULKAN_QUERY_FEEDBACK
+                                                                     : VULKAN_QUERY_SAMPLES;
+}
+
 static void replay_begin(struct vulkan_replay *replay, const struct vulkan_command *command)
 {
     const struct query_command *const query = (const struct query_command *)command;
-    replay->active.pool = query->pool;
-    replay->active.index = query_of_view(replay, query->index);
+    const enum vulkan_query_kind kind = kind_of(query->pool);
+    replay->active[kind].pool = query->pool;
+    replay->active[kind].index = query_of_view(replay, query->index);
     if (replay->pass.is_open) {
-        vulkan_query_resume(replay);
+        resume(replay, kind);
     }
 }
 
 static void replay_end(struct vulkan_replay *replay, const struct vulkan_command *command)
 {
-    (void)command;
-    struct vulkan_active_query *const active = &replay->active;
+    const struct query_command *const query = (const struct query_command *)command;
+    struct vulkan_active_query *const active = &replay->active[kind_of(query->pool)];
     struct vulkan_query_part *const part = active->part;
-    vulkan_query_suspend(replay);
+    suspend(replay, active);
     if (part) {
         part->ends = true;
     } else if (active->pool) {
-        add(replay, active->pool, active->index, 0, true);
+        add(replay, active->pool, active->index, (const uint64_t[2]){0}, true);
     }
     active->pool = VK_NULL_HANDLE;
 }
@@ -159,7 +184,7 @@ static void replay_timestamp(struct vulkan_replay *replay, const struct vulkan_c
     if (part) {
         part->ends = true;
     } else {
-        add(replay, query->pool, index, vulkan_now(), true);
+        add(replay, query->pool, index, (const uint64_t[2]){vulkan_now()}, true);
     }
 }
 
@@ -190,6 +215,22 @@ VKAPI_ATTR void VKAPI_CALL vkCmdBeginQuery(VkCommandBuffer buffer, VkQueryPool p
 VKAPI_ATTR void VKAPI_CALL vkCmdEndQuery(VkCommandBuffer buffer, VkQueryPool pool, uint32_t index)
 {
     record(buffer, pool, index, 1, replay_end);
+}
+
+// There is one stream.
+
+VKAPI_ATTR void VKAPI_CALL vkCmdBeginQueryIndexedEXT(VkCommandBuffer buffer, VkQueryPool pool, uint32_t index,
+                                                     VkQueryControlFlags flags, uint32_t stream)
+{
+    (void)stream;
+    vkCmdBeginQuery(buffer, pool, index, flags);
+}
+
+VKAPI_ATTR void VKAPI_CALL vkCmdEndQueryIndexedEXT(VkCommandBuffer buffer, VkQueryPool pool, uint32_t index,
+                                                   uint32_t stream)
+{
+    (void)stream;
+    vkCmdEndQuery(buffer, pool, index);
 }
 
 VKAPI_ATTR void VKAPI_CALL vkCmdWriteTimestamp(VkCommandBuffer buffer, VkPipelineStageFlagBits stage,
@@ -259,16 +300,19 @@ static VkResult write_results(const struct results *results)
 {
     VkResult result = VK_SUCCESS;
     const VkDeviceSize number = results->flags & VK_QUERY_RESULT_64_BIT ? sizeof(uint64_t) : sizeof(uint32_t);
-    const VkDeviceSize each = results->flags & VK_QUERY_RESULT_WITH_AVAILABILITY_BIT ? 2 * number : number;
+    const int numbers = results->pool->type == VK_QUERY_TYPE_TRANSFORM_FEEDBACK_STREAM_EXT ? 2 : 1;
+    const bool tells = results->flags & VK_QUERY_RESULT_WITH_AVAILABILITY_BIT;
+    const VkDeviceSize each = (VkDeviceSize)(numbers + tells) * number;
     for (uint32_t i = 0; i < results->count && i * results->stride + each <= results->size; i++) {
         const struct vulkan_query *const query = &results->pool->queries[results->first + i];
         unsigned char *at = results->data + i * results->stride;
-        if (query->is_available || results->flags & VK_QUERY_RESULT_PARTIAL_BIT) {
-            at = write_number(at, query->value, results->flags);
-        } else {
+        for (int n = 0; n < numbers; n++) {
+            if (query->is_available || results->flags & VK_QUERY_RESULT_PARTIAL_BIT) {
+                write_number(at, query->values[n], results->flags);
+            }
             at += number;
         }
-        if (results->flags & VK_QUERY_RESULT_WITH_AVAILABILITY_BIT) {
+        if (tells) {
             write_number(at, query->is_available, results->flags);
         }
         result = query->is_available ? result : VK_NOT_READY;

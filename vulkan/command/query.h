@@ -7,7 +7,8 @@
 #include "device/device.h"
 
 struct vulkan_query {
-    uint64_t value;
+    uint64_t
+        values[2]; ///< the second one is of transform feedback: primitives that enough room would have held
     bool is_available;
 };
 

@@ -5,13 +5,17 @@
 
 #include "bound.h"
 #include "command.h"
+#include "feedback.h"
 #include "pass_state.h"
 
 struct vulkan_arena_block;
 
 struct vulkan_query_part;
 
-// The query about samples that is under way.
+// Kinds of queries that may be under way at once.
+enum vulkan_query_kind { VULKAN_QUERY_SAMPLES, VULKAN_QUERY_FEEDBACK, VULKAN_QUERY_KINDS };
+
+// A query that is under way.
 struct vulkan_active_query {
     VkQueryPool pool; ///< NULL: none
     uint32_t index;
@@ -25,7 +29,8 @@ struct vulkan_replay {
     struct vulkan_bound bound;
     struct vulkan_bound bound_before; ///< what was bound when the subpass began, for its next view
     struct vulkan_pass_state pass;
-    struct vulkan_active_query active;
+    struct vulkan_active_query active[VULKAN_QUERY_KINDS];
+    struct vulkan_feedback feedback;
     struct vulkan_query_part *parts;   ///< all that ask the pass that is open
     const struct vulkan_chunk *chunk;  ///< chunk of the command that is replayed
     struct vulkan_replay_place resume; ///< command behind which replay goes on; its command is NULL mostly

@@ -56,6 +56,21 @@ bool vulkan_shader_input_sets(struct vulkan_replay *replay, const struct vulkan_
     return true;
 }
 
+bool vulkan_shader_input_draw(struct vulkan_replay *replay, const uint32_t numbers[3],
+                              struct rhw_shader_frame *frame)
+{
+    enum { SIZE = RHW_SHADER_DRAW_OFFSET + 3 * sizeof(uint32_t) };
+    unsigned char *const copy = vulkan_replay_allocate(replay, SIZE);
+    if (!copy) {
+        return false;
+    }
+    memcpy(copy, replay->bound.push_constants, VULKAN_MAX_PUSH_SIZE);
+    memcpy(copy + RHW_SHADER_DRAW_OFFSET, numbers, 3 * sizeof(uint32_t));
+    frame->push_constants = copy;
+    frame->push_size = SIZE;
+    return true;
+}
+
 bool vulkan_shader_input_push(struct vulkan_replay *replay, uint32_t size, struct rhw_shader_frame *frame)
 {
     frame->push_size = size < VULKAN_MAX_PUSH_SIZE ? size : VULKAN_MAX_PUSH_SIZE;

@@ -13,4 +13,9 @@ bool vulkan_shader_input_sets(struct vulkan_replay *replay, const struct vulkan_
 // Put a copy of the push constants into a frame. Return false without memory.
 bool vulkan_shader_input_push(struct vulkan_replay *replay, uint32_t size, struct rhw_shader_frame *frame);
 
+// Put a copy of the push constants into a frame, and behind it the base vertex, first instance and number of a draw.
+// Return false without memory.
+bool vulkan_shader_input_draw(struct vulkan_replay *replay, const uint32_t numbers[3],
+                              struct rhw_shader_frame *frame);
+
 #endif

@@ -83,6 +83,21 @@ static void fill_maintenance3(VkPhysicalDeviceMaintenance3Properties *maintenanc
     maintenance->maxMemoryAllocationSize = VULKAN_MAX_ALLOCATION;
 }
 
+static void fill_feedback(VkPhysicalDeviceTransformFeedbackPropertiesEXT *feedback)
+{
+    const struct rhw_limits limits = rhw_limits_get();
+    feedback->maxTransformFeedbackStreams = limits.max_transform_feedback_streams;
+    feedback->maxTransformFeedbackBuffers = limits.max_transform_feedback_buffers;
+    feedback->maxTransformFeedbackBufferSize = limits.max_transform_feedback_buffer_size;
+    feedback->maxTransformFeedbackStreamDataSize = limits.max_transform_feedback_stream_data_size;
+    feedback->maxTransformFeedbackBufferDataSize = limits.max_transform_feedback_buffer_data_size;
+    feedback->maxTransformFeedbackBufferDataStride = limits.max_transform_feedback_buffer_data_stride;
+    feedback->transformFeedbackQueries = VK_TRUE;
+    feedback->transformFeedbackStreamsLinesTriangles = VK_FALSE;
+    feedback->transformFeedbackRasterizationStreamSelect = VK_FALSE;
+    feedback->transformFeedbackDraw = VK_TRUE;
+}
+
 static void fill_extension_properties(VkBaseOutStructure *one)
 {
     void *const any = one;
@@ -100,6 +115,7 @@ static void fill_extension_properties(VkBaseOutStructure *one)
         ((VkPhysicalDeviceProvokingVertexPropertiesEXT *)any)
             ->transformFeedbackPreservesTriangleFanProvokingVertex = VK_FALSE;
         break;
+    case VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_TRANSFORM_FEEDBACK_PROPERTIES_EXT: fill_feedback(any); break;
     case VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VERTEX_ATTRIBUTE_DIVISOR_PROPERTIES_EXT:
         ((VkPhysicalDeviceVertexAttributeDivisorPropertiesEXT *)any)->maxVertexAttribDivisor = UINT32_MAX;
         break;

@@ -33,6 +33,7 @@ static void add_used(VkPipeline pipeline, const rhw_shader_program *program, con
         }
     }
     pipeline->push_size = info->push_size > pipeline->push_size ? info->push_size : pipeline->push_size;
+    pipeline->reads_draw = pipeline->reads_draw || info->reads_draw;
 }
 
 // Note what shaders use. Return false without memory.

@@ -32,6 +32,7 @@ struct VkPipeline_T {
     uint32_t used_count;
     uint32_t used_sets; ///< bit s: the shaders use bindings of set s
     uint32_t push_size; ///< bytes of push constants that the shaders read
+    bool reads_draw;    ///< they read numbers of the draw too
 
     // Members of graphics pipelines
     struct rhw_pipeline_def def; ///< its program is that of the first variant

@@ -7,6 +7,7 @@
 #include "resource/sampler.h"
 #include "src/driver.h"
 #include <math.h>
+#include <string.h>
 
 // Vertex input ---------------------------------------------------------------------------------------
 
@@ -347,10 +348,18 @@ static void shade_samples(struct rhw_program *program)
     program->uses |= RHW_USE_SAMPLE;
 }
 
+static void set_feedback(const struct rhw_shader_feedback *feedback, struct rhw_pipeline_def *def)
+{
+    memcpy(def->feedback_outputs, feedback->outputs, sizeof def->feedback_outputs);
+    memcpy(def->feedback_strides, feedback->strides, sizeof def->feedback_strides);
+    def->feedback_output_count = feedback->output_count;
+}
+
 void vulkan_pipeline_definition(VkPipeline pipeline, uint32_t variant, struct rhw_pipeline_def *def)
 {
     *def = pipeline->def;
     def->program = *rhw_shader_program_get(pipeline->variants[variant].program);
+    set_feedback(rhw_shader_program_get_feedback(pipeline->variants[variant].program), def);
     if (pipeline->shades_samples) {
         shade_samples(&def->program);
     }
