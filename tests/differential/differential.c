@@ -2,7 +2,7 @@
 // Small scenes drawn twice, by the library and by the OpenGL ES of this machine (llvmpipe), which stands on nothing that
 // the library stands on. A unit is a step of the target's format. A scene fails where more pixels differ by more than one
 // unit, or any by more units, than its rule explains.
-// usage: differential [--write FILE] [--pixels] [SCENE]...; exit status 77 where there is no peer.
+// usage: differential [--peer DRIVER] [--write FILE] [--pixels] [SCENE]...; exit status 77 where there is no peer.
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -180,19 +180,21 @@ static int run_all(FILE *file, char *const *names, int name_count)
 int main(int argument_count, char **arguments)
 {
     const struct rhw_context_def def = {.threads = 2};
-    const char *why = NULL, *path = NULL;
+    const char *why = NULL, *path = NULL, *driver = "llvmpipe";
     int at = 1;
     for (; at < argument_count && arguments[at][0] == '-'; at++) {
         if (!strcmp(arguments[at], "--write") && at + 1 < argument_count) {
             path = arguments[++at];
+        } else if (!strcmp(arguments[at], "--peer") && at + 1 < argument_count) {
+            driver = arguments[++at];
         } else if (!strcmp(arguments[at], "--pixels")) {
             all.shows = true;
         } else {
-            fprintf(stderr, "usage: differential [--write FILE] [--pixels] [SCENE]...\n");
+            fprintf(stderr, "usage: differential [--peer DRIVER] [--write FILE] [--pixels] [SCENE]...\n");
             return EXIT_FAILURE;
         }
     }
-    all.peer = peer_open(&why);
+    all.peer = peer_open(driver, &why);
     if (!all.peer) {
         printf("no peer: %s\n", why);
         return EXIT_SKIPPED;

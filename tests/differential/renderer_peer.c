@@ -338,11 +338,11 @@ static void release(struct peer *p, const struct frame *f)
     p->depth = 0;
 }
 
-struct peer *peer_open(const char **why)
+struct peer *peer_open(const char *driver, const char **why)
 {
     struct peer *const p = calloc(1, sizeof *p);
     *why = "out of memory";
-    if (!p || !gles_open(&p->gl, "llvmpipe", why)) {
+    if (!p || !gles_open(&p->gl, driver, why)) {
         free(p);
         return NULL;
     }

@@ -10,8 +10,8 @@ bool draw_here(rhw_context *context, const struct frame *frame, struct drawn *dr
 
 struct peer;
 
-// OpenGL ES of this machine, by the Mesa driver llvmpipe; NULL, with the reason in *why, where there is none.
-struct peer *peer_open(const char **why);
+// OpenGL ES of this machine, by a driver of Mesa; NULL, with the reason in *why, where there is none.
+struct peer *peer_open(const char *driver, const char **why);
 void peer_close(struct peer *peer);
 const char *peer_name(const struct peer *peer);
 // What the frame asks for that the peer has not: NULL, or in words.
