@@ -114,6 +114,17 @@ bool scene_blender_is(const struct scene_blender_dump *dump, const struct scene_
     return strcmp(text_at(dna->types, dna->type_count, type), name) == 0;
 }
 
+struct scene_blender_field scene_blender_find_in_id(const struct scene_blender_dump *dump,
+                                                    const struct scene_blender_dna *dna, const char *name)
+{
+    for (uint32_t i = 0; i < dna->struct_count; i++) {
+        if (scene_blender_is(dump, dna, i, "ID")) {
+            return scene_blender_find_field(dump, dna, i, name);
+        }
+    }
+    return (struct scene_blender_field){0, 0};
+}
+
 size_t scene_blender_size(const struct scene_blender_dump *dump, const struct scene_blender_dna *dna,
                           uint32_t index)
 {

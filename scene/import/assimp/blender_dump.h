@@ -57,6 +57,9 @@ size_t scene_blender_size(const struct scene_blender_dump *dump, const struct sc
 struct scene_blender_field scene_blender_find_field(const struct scene_blender_dump *dump,
                                                     const struct scene_blender_dna *dna, uint32_t index,
                                                     const char *name);
+/// Find a field of the ID, with which things that have names begin.
+struct scene_blender_field scene_blender_find_in_id(const struct scene_blender_dump *dump,
+                                                    const struct scene_blender_dna *dna, const char *name);
 /// Return the number in a field of a struct that begins at `at`. Return 0 if there is none.
 uint64_t scene_blender_read(const struct scene_blender_dump *dump, size_t at,
                             struct scene_blender_field field);

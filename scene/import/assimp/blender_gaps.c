@@ -42,6 +42,7 @@ struct look {
     const struct scene_blender_dump *dump;
     const struct scene_blender_dna *dna;
     struct layout layouts[KINDS];
+    struct scene_blender_field users, flags; // in the ID of a thing
     bool has_scene;
     uint64_t layers; // layers of the first scene that are shown. 0 if none is known
     uint64_t first;  // address of its first base. 0 if it has none, as since version 2.8
@@ -152,6 +153,14 @@ static void look_at_objects(struct look *look)
     }
 }
 
+// Return true if anything uses what begins at `at`. What nothing uses a user may have kept, which counts as one.
+static bool is_used(const struct look *look, size_t at)
+{
+    enum { IS_KEPT = 1 << 9 };
+    const uint64_t kept = (scene_blender_read(look->dump, at, look->flags) & IS_KEPT) != 0;
+    return look->users.size == 0 || scene_blender_read(look->dump, at, look->users) > kept;
+}
+
 static void look_at_block(struct look *look, const char *code, uint32_t index, uint64_t address, size_t at)
 {
     for (enum kind kind = 0; kind < KINDS; kind++) {
@@ -168,7 +177,8 @@ static void look_at_block(struct look *look, const char *code, uint32_t index, u
             look->first = fields[1].size == 0
                               ? 0
                               : scene_blender_number(look->dump, at + fields[1].at, look->dump->pointer);
-        } else if (kind == MATERIAL && scene_blender_read(look->dump, at, fields[0]) != 0) {
+        } else if (kind == MATERIAL && scene_blender_read(look->dump, at, fields[0]) != 0 &&
+                   is_used(look, at)) {
             scene_import_unsupported(look->import, "materials of nodes (Blender): drawn plain");
         }
     }
@@ -180,7 +190,11 @@ void scene_assimp_look_at_blender(struct scene_import *import)
     if (!scene_blender_open(import, &file)) {
         return;
     }
-    struct look look = {.import = import, .dump = &file.dump, .dna = &file.dna};
+    struct look look = {.import = import,
+                        .dump = &file.dump,
+                        .dna = &file.dna,
+                        .users = scene_blender_find_in_id(&file.dump, &file.dna, "us"),
+                        .flags = scene_blender_find_in_id(&file.dump, &file.dna, "flag")};
     struct scene_blender_block block;
     for (size_t at = file.first; scene_blender_next(&file.dump, &at, &block);) {
         look_at_block(&look, block.code, block.index, block.address, block.at);

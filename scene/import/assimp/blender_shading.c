@@ -42,7 +42,7 @@ struct look {
     struct scene_import *import;
     const struct scene_blender_file *file;
     struct layout layouts[KINDS];
-    size_t name_at, name_size; // the name of a thing, which its ID holds
+    struct scene_blender_field name; // in the ID of a thing
     struct part *parts;
     size_t count, capacity;
     struct scene_hash_table places; // finds parts by kind and address
@@ -142,8 +142,8 @@ static void add_object(const struct look *look, struct scene_blender_shadings *s
     enum { MESHES = 1, LETTERS = 2 };
     const struct scene_blender_dump *const dump = &look->file->dump;
     const struct scene_blender_field *const fields = look->layouts[OBJECT].fields;
-    if (scene_blender_read(dump, object->block.at, fields[0]) != MESHES || look->name_size <= LETTERS ||
-        fields[2].size < look->name_at + look->name_size ||
+    if (scene_blender_read(dump, object->block.at, fields[0]) != MESHES || look->name.size <= LETTERS ||
+        fields[2].size < look->name.at + look->name.size ||
         object->block.size < fields[2].at + fields[2].size) {
         return;
     }
@@ -154,28 +154,13 @@ static void add_object(const struct look *look, struct scene_blender_shadings *s
         return;
     }
     const char *const name =
-        (const char *)dump->bytes + object->block.at + fields[2].at + look->name_at + LETTERS;
-    const size_t length = strnlen(name, look->name_size - LETTERS);
+        (const char *)dump->bytes + object->block.at + fields[2].at + look->name.at + LETTERS;
+    const size_t length = strnlen(name, look->name.size - LETTERS);
     scene_import_reserve(look->import, &shadings->list, &shadings->capacity, shadings->count + 1,
                          sizeof *shadings->list);
     scene_hash_add(look->import, &shadings->names, scene_hash_bytes(name, length), (uint32_t)shadings->count);
     shadings->list[shadings->count++] =
         (struct scene_blender_shaded){scene_import_string(look->import, name, length), shading};
-}
-
-// Find the name in the struct ID, with which objects begin.
-static void find_name(struct look *look)
-{
-    const struct scene_blender_dna *const dna = &look->file->dna;
-    for (uint32_t i = 0; i < dna->struct_count; i++) {
-        if (scene_blender_is(&look->file->dump, dna, i, "ID")) {
-            const struct scene_blender_field name =
-                scene_blender_find_field(&look->file->dump, dna, i, "name");
-            look->name_at = name.at;
-            look->name_size = name.size;
-            return;
-        }
-    }
 }
 
 void scene_blender_find_shadings(struct scene_import *import, struct scene_blender_shadings *shadings)
@@ -185,8 +170,8 @@ void scene_blender_find_shadings(struct scene_import *import, struct scene_blend
     if (!scene_blender_open(import, &file)) {
         return;
     }
-    struct look look = {.import = import, .file = &file};
-    find_name(&look);
+    struct look look = {
+        .import = import, .file = &file, .name = scene_blender_find_in_id(&file.dump, &file.dna, "name")};
     collect(&look);
     for (size_t i = 0; i < look.count; i++) {
         if (look.parts[i].kind == OBJECT) {

@@ -72,6 +72,30 @@ static void test_told(void **state)
     }
 }
 
+// Nothing is told of a material that nothing uses, whether a user has kept it or not.
+static void test_unused_material(void **state)
+{
+    (void)state;
+    enum { USERS = 299776, KEPT = 299779, HAS_NODES = 300211 }; // places in the file
+    static const struct {
+        unsigned char users, kept;
+        bool is_told;
+    } cases[] = {{1, 0, true}, {1, 2, false}, {2, 2, true}, {0, 0, false}};
+    static unsigned char bytes[1 << 20];
+    const size_t size = read_model(MODELS "BlenderDefault_269.blend", bytes, sizeof bytes);
+    bytes[HAS_NODES] = 1;
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        bytes[USERS] = cases[i].users;
+        bytes[KEPT] = cases[i].kept;
+        write_bytes("m.blend", bytes, size);
+        struct scene_model *const model = load("m.blend");
+        if (is_unsupported(model, "materials of nodes (Blender): drawn plain") != cases[i].is_told) {
+            fail_msg("case %zu", i);
+        }
+        scene_model_free(model);
+    }
+}
+
 // White vertex colours of an early version, which assimp takes for -1.
 static void test_colors(void **state)
 {
@@ -200,8 +224,8 @@ static void test_many_blocks(void **state)
 }
 
 static const struct CMUnitTest tests[] = {
-    cmocka_unit_test(test_told),        cmocka_unit_test(test_shading), cmocka_unit_test(test_scene),
-    cmocka_unit_test(test_many_blocks), cmocka_unit_test(test_colors),
+    cmocka_unit_test(test_told),  cmocka_unit_test(test_unused_material), cmocka_unit_test(test_shading),
+    cmocka_unit_test(test_scene), cmocka_unit_test(test_many_blocks),     cmocka_unit_test(test_colors),
 };
 
 const struct unit_tests test_blender = UNIT_TESTS(tests, make_directory, remove_directory);
