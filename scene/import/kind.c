@@ -10,6 +10,7 @@
 
 #include "file.h"
 #include "import/builder/readers.h"
+#include "import/builder/text_lines.h"
 
 enum { LOOKED_AT = 16384 }; // enough for the header of a STEP file
 
@@ -165,11 +166,11 @@ static bool begins_with(const struct beginning *start, const char *mark)
     return start->count >= strlen(mark) && memcmp(start->bytes, mark, strlen(mark)) == 0;
 }
 
-// Return the text of a file behind a byte order mark and white space.
+// Return the text of a file behind byte order marks and white space.
 static const char *find_text(const struct beginning *start)
 {
     const char *text = (const char *)start->bytes;
-    text += begins_with(start, "\xef\xbb\xbf") ? 3 : 0;
+    text += scene_text_marks(text, start->count);
     return text + strspn(text, " \t\r\n");
 }
 

@@ -19,14 +19,14 @@
 #include "import/builder/place.h"
 #include "import/builder/readers.h"
 #include "import/builder/stored_colors.h"
+#include "import/builder/text_lines.h"
 #include "import/builder/vertices.h"
 
 enum { MOST_COPIES = 64 };
 
 static bool has_magic(const unsigned char *start, size_t size)
 {
-    const size_t mark =
-        size >= 3 && memcmp(start, "\xef\xbb\xbf", 3) == 0 ? 3 : 0; // a byte order mark is skipped
+    const size_t mark = scene_text_marks(start, size);
     const unsigned char *word = start + mark;
     return size >= mark + 4 && memcmp(word, "ply", 3) == 0 && (word[3] == '\n' || word[3] == '\r');
 }

@@ -442,10 +442,10 @@ static void read_text(struct scene_import *import, char *bytes, size_t size)
     }
 }
 
-// Return true if a line of a text begins with "solid". The mark of UTF-8 and blanks may stand before it.
+// Return true if a line of a text begins with "solid". Marks of UTF-8 and blanks may stand before it.
 static bool has_solid(const char *text, const char *end)
 {
-    text += strncmp(text, "\xef\xbb\xbf", 3) == 0 ? 3 : 0;
+    text += scene_text_marks(text, (size_t)(end - text));
     bool found = false;
     while (text < end && *text != 0 && !found) {
         text += strspn(text, " \t\r\n");

@@ -36,6 +36,17 @@ static struct scene_text convert_wide(struct scene_import *import, const unsigne
     return (struct scene_text){out, next, 0};
 }
 
+size_t scene_text_marks(const void *text, size_t size)
+{
+    static const char mark[] = "\xef\xbb\xbf";
+    const size_t length = strlen(mark);
+    size_t marks = 0;
+    while (size - marks >= length && memcmp((const char *)text + marks, mark, length) == 0) {
+        marks += length;
+    }
+    return marks;
+}
+
 struct scene_text scene_text_open(struct scene_import *import, char *bytes, size_t size)
 {
     const unsigned char *start = (const unsigned char *)bytes;
@@ -45,10 +56,7 @@ struct scene_text scene_text_open(struct scene_import *import, char *bytes, size
     if (size >= 2 && start[0] == 0xff && start[1] == 0xfe) {
         return convert_wide(import, start, size, false);
     }
-    if (size >= 3 && memcmp(bytes, "\xef\xbb\xbf", 3) == 0) {
-        return (struct scene_text){bytes + 3, bytes + size, 0};
-    }
-    return (struct scene_text){bytes, bytes + size, 0};
+    return (struct scene_text){bytes + scene_text_marks(bytes, size), bytes + size, 0};
 }
 
 // Return the first LF or CR, or the end. Eight characters are looked at together: a byte of a word is 0 where it has

@@ -22,8 +22,10 @@ struct scene_word {
     size_t length;
 };
 
-/// Start at the beginning of bytes that stay where they are. Convert UTF-16 (by its mark) to UTF-8, and skip the mark
-/// of UTF-8.
+/// Return the length of the byte order marks of UTF-8 that a text begins with. Programs put one before another.
+size_t scene_text_marks(const void *text, size_t size);
+/// Start at the beginning of bytes that stay where they are. Convert UTF-16 (by its mark) to UTF-8, and skip marks of
+/// UTF-8.
 struct scene_text scene_text_open(struct scene_import *import, char *bytes, size_t size);
 /// Read the next line. Return false at the end. With `continued`, a backslash at its end joins the line after it.
 bool scene_text_line(struct scene_text *text, bool continued, struct scene_line *line);

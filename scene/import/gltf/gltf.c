@@ -3,6 +3,7 @@
 #include "gltf.h"
 
 #include "import/builder/readers.h"
+#include "import/builder/text_lines.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -31,10 +32,9 @@ static uint32_t little_endian(const unsigned char *bytes)
 static void parse_json(struct scene_gltf *gltf, const unsigned char *text, size_t size)
 {
     json_error_t error;
-    if (size >= 3 && memcmp(text, "\xef\xbb\xbf", 3) == 0) {
-        text += 3;
-        size -= 3;
-    }
+    const size_t marks = scene_text_marks(text, size);
+    text += marks;
+    size -= marks;
     // Some files have zeros where the padding should be spaces.
     while (size > 0 && text[size - 1] == 0) {
         size--;

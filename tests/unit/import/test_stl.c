@@ -218,7 +218,7 @@ static void test_normals_that_oppose_corners(void **state)
     scene_model_free(model);
 }
 
-// A byte order mark before "solid": of UTF-8, and of UTF-16 in both orders.
+// Byte order marks before "solid": of UTF-8, once or twice, and of UTF-16 in both orders.
 static void test_marks(void **state)
 {
     (void)state;
@@ -227,7 +227,7 @@ static void test_marks(void **state)
     for (int i = 0; i < 4; i++) {
         size_t size = 0;
         if (i < 2) {
-            size = (size_t)sprintf((char *)bytes, "\xef\xbb\xbf%s", text);
+            size = (size_t)sprintf((char *)bytes, "\xef\xbb\xbf%s%s", i == 0 ? "" : "\xef\xbb\xbf", text);
         } else {
             memcpy(bytes, i == 2 ? "\xff\xfe" : "\xfe\xff", 2);
             memset(bytes + 2, 0, 2 * sizeof text);
