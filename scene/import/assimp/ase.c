@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The indices of an ASE, the text of 3ds Max. assimp 5.2.5 reads beside its arrays where a face refers to a vertex, a
-// texture coordinate or a colour that is not there, or to none where the mesh has some.
+// texture coordinate or a colour that is not there, or to none where the mesh has some, and where a face is missing.
 #include "assimp.h"
 #include "import/builder/text_lines.h"
 
@@ -16,15 +16,20 @@ struct list {
     double said, faces;
     unsigned line;
     bool has_count, has_said;
+    bool is_begun; // assimp reads faces in their list alone
 };
 
-// Refuse the file if a face refers to what is not there. `faces` are those of the mesh.
+// Refuse the file if a face refers to what is not there, or is not there itself. `faces` are those of the mesh, or 0
+// for the list of these.
 static void check(struct scene_import *import, const struct list *list, double faces)
 {
     const double given = list->said < list->faces ? list->said : list->faces;
     if (list->line > 0 && !(list->worst >= 0 && list->worst < list->count)) {
         scene_import_fail(import, "line %u: face %.0f refers to %s %.0f; the mesh has %.0f, counted from 0",
                           list->line, list->face, list->name, list->worst, list->count);
+    }
+    if (list->said > list->faces && faces == 0) {
+        scene_import_fail(import, "a mesh should have %.0f faces and has %.0f", list->said, list->faces);
     }
     if (list->count > 0 && given < faces) {
         scene_import_fail(import, "a mesh has %.0f faces, of which %.0f say their %ss", faces, given,
@@ -48,30 +53,52 @@ static bool is_worse(const struct list *list, double index)
     return is_good && (index > list->worst || !(index >= 0) || list->line == 0);
 }
 
-// Read the corners of a face: its number, and three numbers behind it, of which those of vertices have letters.
-static void read_face(struct list *list, struct scene_line line, unsigned number)
+// Read what a corner refers to. Before it stands A:, B: or C: where faces name their corners. Return false if it is not
+// there, or if the corner is one of `named`, to which it is added.
+static bool read_corner(struct scene_line *line, bool has_names, unsigned *named, double *index)
+{
+    struct scene_word word;
+    size_t length;
+    if (!scene_text_word(line, &word)) {
+        return false;
+    }
+    if (has_names) {
+        const unsigned name = word.length >= 2 && word.start[1] == ':' ? (unsigned)word.start[0] - 'A' : 3;
+        if (name >= 3 || (*named >> name & 1) != 0) {
+            return false;
+        }
+        *named |= 1u << name;
+        word = (struct scene_word){word.start + 2, word.length - 2};
+        if (word.length == 0 && !scene_text_word(line, &word)) {
+            return false;
+        }
+    }
+    return scene_word_number(word, index, &length) && length == word.length;
+}
+
+// Read the corners of a face: its number, and three numbers behind it. assimp takes what is in its memory for corners
+// that are not there, so a face without them is none.
+static void read_face(struct list *list, struct scene_line line, unsigned number, bool has_names)
 {
     struct scene_word word;
     double face = 0, index;
+    unsigned named = 0;
     size_t length;
-    if (!scene_text_word(&line, &word) || !scene_word_number(word, &face, &length)) {
+    const bool has_number = scene_text_word(&line, &word) && scene_word_number(word, &face, &length);
+    if (!has_number || (length != word.length && (length + 1 != word.length || word.start[length] != ':'))) {
         return;
     }
-    list->faces += face == list->faces; // a face that stands twice leaves out another
-    for (int corners = 0; corners < 3 && scene_text_word(&line, &word);) {
-        const bool is_letter = *word.start >= 'A' && *word.start <= 'C';
-        const struct scene_word digits =
-            is_letter && word.length > 2 ? (struct scene_word){word.start + 2, word.length - 2} : word;
-        if (!scene_word_number(digits, &index, &length)) {
-            continue; // a letter that stands alone
+    for (int corner = 0; corner < 3; corner++) {
+        if (!read_corner(&line, has_names, &named, &index)) {
+            return;
         }
-        corners++;
         if (is_worse(list, index)) {
             list->worst = index;
             list->face = face;
             list->line = number;
         }
     }
+    list->faces += face == list->faces; // a face that stands twice leaves out another
 }
 
 // Read a number of a mesh. assimp makes room by the one that stands before the list, and one more might be another.
@@ -94,6 +121,7 @@ static void read_line(struct scene_import *import, struct list lists[LISTS], str
 {
     static const char *const counts[LISTS] = {"*MESH_NUMVERTEX", "*MESH_NUMTVERTEX", "*MESH_NUMCVERTEX"};
     static const char *const said[LISTS] = {"*MESH_NUMFACES", "*MESH_NUMTVFACES", "*MESH_NUMCVFACES"};
+    static const char *const begins[LISTS] = {"*MESH_FACE_LIST", "*MESH_TFACELIST", "*MESH_CFACELIST"};
     static const char *const faces[LISTS] = {"*MESH_FACE", "*MESH_TFACE", "*MESH_CFACE"};
     const bool is_mesh = scene_word_is(word, "*MESH");
     if (is_mesh) {
@@ -106,8 +134,10 @@ static void read_line(struct scene_import *import, struct list lists[LISTS], str
             read_count(import, &lists[i], line, number, &lists[i].count, &lists[i].has_count);
         } else if (scene_word_is(word, said[i])) {
             read_count(import, &lists[i], line, number, &lists[i].said, &lists[i].has_said);
-        } else if (scene_word_is(word, faces[i])) {
-            read_face(&lists[i], line, number);
+        } else if (scene_word_is(word, begins[i])) {
+            lists[i].is_begun = true;
+        } else if (lists[i].is_begun && scene_word_is(word, faces[i])) {
+            read_face(&lists[i], line, number, i == VERTICES);
         }
     }
 }
