@@ -141,9 +141,15 @@ static uint32_t decoration_of(const struct glsl_code *code, uint32_t id, uint32_
 static const char *name_of_variable(const struct glsl_code *code, const uint32_t *variable)
 {
     const uint32_t *const pointer = find(code, OP_TYPE_POINTER, 1, variable[1]);
+    uint32_t type = pointer != NULL ? pointer[3] : 0;
+    const uint32_t *array = find(code, OP_TYPE_ARRAY, 1, type);
+    for (int depth = 0; array != NULL && depth < MAX_DEPTH; depth++) {
+        type = array[2];
+        array = find(code, OP_TYPE_ARRAY, 1, type);
+    }
     const bool is_block = variable[3] == STORAGE_UNIFORM || variable[3] == STORAGE_BUFFER ||
-                          (pointer != NULL && find_decoration(code, pointer[3], BLOCK) != NULL);
-    return name_of(code, pointer != NULL && is_block ? pointer[3] : variable[2]);
+                          find_decoration(code, type, BLOCK) != NULL;
+    return name_of(code, type != 0 && is_block ? type : variable[2]);
 }
 
 // Return whether a function may use an id: a literal that is the same number counts, too.

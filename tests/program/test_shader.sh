@@ -230,6 +230,7 @@ refuse 1 "whole.frag: uniform 'iTime' is of another type in the other shader" sh
 cat >blocks.vert <<'GLSL'
 out Colors { float red; vec2 rest[2]; } given;
 out Shade { float factor; };
+out Half { float part; } halves[2];
 out float green;
 void main()
 {
@@ -239,15 +240,18 @@ void main()
     given.rest[1] = vec2(0.5, 1.0);
     green = 0.5;
     factor = 2.0;
+    halves[0].part = 0.125;
+    halves[1].part = 0.375;
 }
 GLSL
 cat >blocks.frag <<'GLSL'
 in vec4 unread;
 in float green;
 in Shade { float factor; };
+in Half { float part; } parts[2];
 in Colors { float red; vec2 rest[2]; } taken;
 out vec4 color;
-void main() { color = vec4(taken.red * 4.0, green * factor, (taken.rest[0].y + taken.rest[1].x) * factor - 0.5, 1.0); }
+void main() { color = vec4(taken.red * 4.0, green * factor, (taken.rest[0].y + taken.rest[1].x) * factor - parts[0].part - parts[1].part, 1.0); }
 GLSL
 succeed shader blocks.vert blocks.frag --run --size 1 -o blocks.png
 succeed compare blocks.png want.ppm
