@@ -288,8 +288,8 @@ static void test_lost_places(void **state)
     }
 }
 
-// Put two triangles that meet at an edge, of which the second leans by `slope`. `groups` are those of both, or NULL.
-static void put_fold(struct chunks *chunks, float slope, const uint32_t groups[2])
+// Put two triangles that meet at an edge, of which the second leans by `slope`. `groups` are those of the first ones.
+static void put_fold(struct chunks *chunks, float slope, const uint32_t groups[2], unsigned count)
 {
     const float points[4][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, -1, -slope}};
     static const unsigned faces[] = {2, 0, 1, 2, 7, 1, 0, 3, 7}; // a count, then corners and edges
@@ -303,9 +303,9 @@ static void put_fold(struct chunks *chunks, float slope, const uint32_t groups[2
     for (size_t i = 0; i < sizeof faces / sizeof faces[0]; i++) {
         put_short(chunks, faces[i]);
     }
-    if (groups != NULL) {
+    if (count > 0) {
         const size_t smoothing = begin(chunks, 0x4150);
-        put(chunks, groups, 2 * sizeof groups[0]);
+        put(chunks, groups, count * sizeof groups[0]);
         end(chunks, smoothing);
     }
     end(chunks, list);
@@ -320,17 +320,17 @@ static void test_smoothing(void **state)
     (void)state;
     static const struct {
         float slope;
-        bool has_groups, is_smooth;
+        unsigned count; // faces that have groups
+        bool is_smooth;
         uint32_t groups[2];
     } cases[] = {
-        {0.5f, false, true, {0}},    {3, false, false, {0}},      {0.5f, true, false, {0, 0}},
-        {0.5f, true, false, {2, 0}}, {0.5f, true, false, {0, 1}}, {3, true, true, {3, 6}},
-        {0.5f, true, false, {1, 2}},
+        {0.5f, 0, true, {0}},     {3, 0, false, {0}},   {0.5f, 2, false, {0, 0}}, {0.5f, 2, false, {2, 0}},
+        {0.5f, 2, false, {0, 1}}, {3, 2, true, {3, 6}}, {0.5f, 2, false, {1, 2}}, {0.5f, 1, true, {1}},
     };
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         struct chunks chunks = {.size = 0};
         const size_t file = begin(&chunks, 0x4d4d), editor = begin(&chunks, 0x3d3d);
-        put_fold(&chunks, cases[i].slope, cases[i].has_groups ? cases[i].groups : NULL);
+        put_fold(&chunks, cases[i].slope, cases[i].groups, cases[i].count);
         put_light(&chunks, 0); // behind what has become longer
         end(&chunks, editor);
         end(&chunks, file);

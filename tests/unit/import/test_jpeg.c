@@ -59,9 +59,12 @@ static struct image_file jpeg_of(const char *frame, size_t frame_size, bool has_
         image_file_put_bytes(&file, ones, sizeof ones);
     }
     image_file_put_bytes(&file, frame, frame_size);
-    image_file_put_bytes(&file, "\xff\xc4\0\x15\0\1\1\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\6", 23);
+    // Tables in one segment, of which the second is of no component here.
+    image_file_put_bytes(&file, has_codes ? "\xff\xc4\0\x39" : "\xff\xc4\0\x27", 4);
+    image_file_put_bytes(&file, "\0\1\1\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\6", 19);
+    image_file_put_bytes(&file, "\1\1\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0", 18);
     if (has_codes) {
-        image_file_put_bytes(&file, "\xff\xc4\0\x14\x10\1\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0", 22);
+        image_file_put_bytes(&file, "\x10\1\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0", 18);
     }
     return file;
 }
