@@ -136,16 +136,21 @@ static void cross_edges(double corners[3][3], double product[3])
     scene_cross(a, b, product);
 }
 
+// Return true if a triangle has an area. One number of the product of two edges that is not 0 says so, as the first is
+// nearly always.
 static bool has_area(const struct scene_mesh *mesh, const uint32_t *indices)
 {
-    double corners[3][3], product[3];
-    for (int k = 0; k < 3; k++) {
-        for (int c = 0; c < 3; c++) {
-            corners[k][c] = (double)mesh->positions[indices[k]][c];
+    const float *const p = mesh->positions[indices[0]], *const q = mesh->positions[indices[1]],
+                       *const r = mesh->positions[indices[2]];
+    for (int c = 0; c < 3; c++) {
+        const int d = (c + 1) % 3, e = (c + 2) % 3;
+        const double a[2] = {(double)q[d] - (double)p[d], (double)q[e] - (double)p[e]};
+        const double b[2] = {(double)r[d] - (double)p[d], (double)r[e] - (double)p[e]};
+        if (a[0] * b[1] - a[1] * b[0] != 0) {
+            return true;
         }
     }
-    cross_edges(corners, product);
-    return product[0] != 0 || product[1] != 0 || product[2] != 0;
+    return false;
 }
 
 // Return true if a triangle, line or point reaches the alpha that its material asks.
