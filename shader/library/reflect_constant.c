@@ -7,7 +7,8 @@
 static bool is_chosen(const struct shader_module *module, uint32_t id)
 {
     const uint32_t opcode = module->ids[id].opcode;
-    return module->ids[id].word != 0 &&
+    // An instruction of that kind in a function defines none.
+    return module->ids[id].word != 0 && module->ids[id].data.as_constant &&
            (opcode == SPIRV_OP_SpecConstantTrue || opcode == SPIRV_OP_SpecConstantFalse ||
             opcode == SPIRV_OP_SpecConstant) &&
            shader_find_decoration(module, id, -1, SPIRV_SPEC_ID) != NULL;
