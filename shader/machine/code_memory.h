@@ -20,4 +20,9 @@ void shader_code_unmap(void *code, size_t size);
 // for names. Return whether it was appended.
 bool shader_code_name(const void *code, size_t size, const char *name);
 
+#if defined(RHW_GUARDS)
+// Return the end of the stack that generated code takes on this thread, behind which nobody may touch memory.
+void *shader_guarded_stack(void);
+#endif
+
 #endif

@@ -19,6 +19,56 @@
 #define MAP_ANONYMOUS MAP_ANON // macOS
 #endif
 
+#if defined(RHW_GUARDS)
+
+// Pages that nobody may touch stand around code and around what it keeps on the stack. Code ends where they begin.
+enum { GUARD = 1 << 16, STACK = 1 << 20, BREAKPOINT = 0xcc };
+
+static size_t whole_pages(size_t size)
+{
+    return (size + GUARD - 1) / GUARD * GUARD;
+}
+
+// Map memory with a guard on either side. Return where it begins, or NULL.
+static char *map_guarded(size_t size)
+{
+    char *const all = mmap(NULL, size + 2 * GUARD, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    if (all == MAP_FAILED || mprotect(all + GUARD, size, PROT_READ | PROT_WRITE) != 0) {
+        return NULL;
+    }
+    return all + GUARD;
+}
+
+void *shader_guarded_stack(void)
+{
+    static _Thread_local char *stack;
+    stack = stack ? stack : map_guarded(STACK);
+    if (!stack) {
+        abort();
+    }
+    return stack + STACK;
+}
+
+void *shader_code_map(const void *bytes, size_t size)
+{
+    const size_t room = whole_pages(size), before = (room - size) / 64 * 64;
+    char *const begin = map_guarded(room);
+    if (!begin) {
+        return NULL;
+    }
+    memset(begin, BREAKPOINT, room);
+    memcpy(begin + before, bytes, size);
+    return mprotect(begin, room, PROT_READ | PROT_EXEC) == 0 ? begin + before : NULL;
+}
+
+void shader_code_unmap(void *code, size_t size)
+{
+    const size_t room = whole_pages(size), before = (room - size) / 64 * 64;
+    (void)munmap((char *)code - before - GUARD, room + 2 * GUARD);
+}
+
+#else
+
 static void *map_own(const void *bytes, size_t size)
 {
     void *const code = mmap(NULL, size, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
@@ -78,6 +128,8 @@ void shader_code_unmap(void *code, size_t size)
 {
     (void)munmap(code, size);
 }
+
+#endif
 
 bool shader_code_name(const void *code, size_t size, const char *name)
 {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // A stage as a function: what is computed once a call, the loops over groups, and what stands around them. The function
 // begins behind its code, because only then it is known how much of the stack it takes.
+#include "code_memory.h"
 #include "generator.h"
 
-enum { SAVED = 5, WORD = 8, PAGE = 4096 - 64, MAX_STACK = 160 << 10, NEAR = 16 << 10, FEWEST = 4 };
+enum { SAVED = 5, WORD = 8, MAX_STACK = 160 << 10, NEAR = 16 << 10, FEWEST = 4 };
 
 static const int saved[SAVED] = {X86_RBX, X86_R12, X86_R13, X86_R14, X86_R15};
 
@@ -197,6 +198,39 @@ static uint32_t batch_of(const struct shader_generator *g)
     return near < few ? few : near;
 }
 
+#if defined(RHW_GUARDS)
+
+// Go on with a stack of the thread's own, whose end is guarded.
+static void take_stack(struct shader_generator *g, int32_t size)
+{
+    static const int kept[] = {X86_RDI, X86_RSI, X86_RSI}; // three, so that the stack is aligned
+    void *(*const function)(void) = shader_guarded_stack;
+    for (int i = 0; i < 3; i++) {
+        shader_encode(&g->code, X86_PUSH, kept[i], 0, x86_reg(0), 0);
+    }
+    shader_put(g, X86_CALL, 0, 0, shader_pool_bytes(&g->code, &function, sizeof function));
+    for (int i = 3; i-- > 0;) {
+        shader_encode(&g->code, X86_POP, kept[i], 0, x86_reg(0), 0);
+    }
+    shader_put(g, X86_LEA | X86_WIDE, X86_RSP, 0, x86_at(X86_RAX, -size));
+}
+
+#else
+
+static void take_stack(struct shader_generator *g, int32_t size)
+{
+    enum { PAGE = 4096 - 64 };
+    int32_t left = size;
+    for (; left > PAGE; left -= PAGE) { // no page is stepped over, as one may guard the stack
+        put_immediate(g, X86_SUB_I | X86_WIDE, x86_reg(X86_RSP), PAGE);
+        put_immediate(g, X86_MOV_I, x86_at(X86_RSP, 0), 0);
+    }
+    put_immediate(g, X86_SUB_I | X86_WIDE, x86_reg(X86_RSP), left);
+    put_immediate(g, X86_AND_I | X86_WIDE, x86_reg(X86_RSP), -VECTOR);
+}
+
+#endif
+
 // Where the function begins. It goes to its body.
 static void generate_entry(struct shader_generator *g, uint32_t body)
 {
@@ -210,14 +244,7 @@ static void generate_entry(struct shader_generator *g, uint32_t body)
         shader_encode(&g->code, X86_PUSH, saved[i], 0, x86_reg(0), 0);
     }
     const uint32_t batch = batch_of(g);
-    const int32_t size = (int32_t)(g->frame_size + batch * g->record_size);
-    int32_t left = size;
-    for (; left > PAGE; left -= PAGE) { // no page is stepped over, as one may guard the stack
-        put_immediate(g, X86_SUB_I | X86_WIDE, x86_reg(X86_RSP), PAGE);
-        put_immediate(g, X86_MOV_I, x86_at(X86_RSP, 0), 0);
-    }
-    put_immediate(g, X86_SUB_I | X86_WIDE, x86_reg(X86_RSP), left);
-    put_immediate(g, X86_AND_I | X86_WIDE, x86_reg(X86_RSP), -VECTOR);
+    take_stack(g, (int32_t)(g->frame_size + batch * g->record_size));
     put_pointer(g, X86_RAX, x86_at(X86_RDI, (int32_t)bound));
     store_pointer(g, X86_RAX, SHADER_FRAME(bound));
     if (is_compute) {
