@@ -20,6 +20,10 @@ RHW_API int rhw_binding_sample_levels(const struct rhw_binding *binding);
 /// Return the number of samples in a texel of the binding's texture, or 0 without one.
 RHW_API int rhw_binding_sample_samples(const struct rhw_binding *binding);
 
+/// Return how many coordinates a sample of the binding takes, the layer among them: 1..4. Return 0 where there is
+/// nothing to sample, or no sampler.
+RHW_API int rhw_binding_sample_coordinates(const struct rhw_binding *binding);
+
 /// Return true if what a texture gives by a sampler may depend on the gradient, level or bias of a request. If not, all
 /// of these give the same bits, and a shader may spare them: one level is read, by one filter, without anisotropy. The
 /// sampler's binding may be that of the texture. Return false where one of them is missing.

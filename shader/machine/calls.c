@@ -2,6 +2,8 @@
 // See calls.h.
 #include "calls.h"
 
+#include <string.h>
+
 #include "form/atomic.h"
 #include "rhw/isa.h"
 #include "rhw/shader_binding.h"
@@ -374,6 +376,49 @@ static void call_COMPARE_WINDOW(const struct shader_found *one, const struct sha
     rhw_binding_sample_compare_window(one->binding, &request, (int)columns, (int)rows, parts);
 }
 
+// Put what all lanes name into a table.
+static void call_LIST(const struct shader_found *found, struct rhw_binding *entry)
+{
+    memset(entry, 0, sizeof *entry);
+    if (found->binding) {
+        *entry = *found->binding;
+    }
+}
+
+// Sample a texture at two varyings of a group, as a shader does that knows of no more coordinates.
+static void sample_at(const struct rhw_binding *binding, const struct rhw_fragment *group, uint32_t at,
+                      rhw_float texel[4])
+{
+    const rhw_float zero = rhw_splat(0.0f);
+    const rhw_float coordinates[4] = {group->varying[at], group->varying[at + 1], zero, zero};
+    const rhw_float gradient[6] = {
+        group->ddx[at], group->ddx[at + 1], group->ddy[at], group->ddy[at + 1], zero, zero};
+    const struct rhw_sample_request request = {.coordinates = coordinates, .gradient = gradient};
+    rhw_binding_sample(binding, &request, texel);
+}
+
+// Sample the bindings of a table whose bits `which` has, at two varyings of each group. Texels begin each record.
+static void call_SAMPLE_GROUPS(const struct shader_together *together, const struct rhw_binding *table,
+                               uint32_t which, uint32_t at)
+{
+    const struct rhw_fragment *const groups = together->groups;
+    rhw_float(*const texels)[4] = together->records;
+    const int count = (int)together->here, stride = (int)(together->record_size / sizeof *texels);
+    uint32_t plain = 0;
+    for (uint32_t todo = which; todo != 0; todo &= todo - 1) {
+        plain |= rhw_binding_sample_coordinates(&table[__builtin_ctz(todo)]) == 2 ? todo & -todo : 0;
+    }
+    if (plain != 0) {
+        rhw_binding_sample_groups(table, groups, count, plain, (int)at, texels, stride);
+    }
+    for (uint32_t todo = which & ~plain; todo != 0; todo &= todo - 1) {
+        for (int g = 0; g < count; g++) {
+            const int n = __builtin_ctz(todo);
+            sample_at(&table[n], &groups[g], at, texels[g * stride + n]);
+        }
+    }
+}
+
 static void call_IMAGE_STORE(const struct rhw_shader_frame *frame, const struct shader_site *site,
                              const struct shader_found *one, struct shader_request *r)
 {
@@ -424,6 +469,8 @@ static shader_call_function *const functions[SHADER_CALLS] = {
     MORE(FIND_PAIR),
     MORE(SAMPLE_ONE),
     MORE(COMPARE_WINDOW),
+    MORE(LIST),
+    MORE(SAMPLE_GROUPS),
     MORE(GATHER),
     MORE(LOAD_WORDS),
     MORE(SHARE),

@@ -19,6 +19,8 @@ enum shader_call {
     SHADER_CALL_FIND_PAIR,
     SHADER_CALL_SAMPLE_ONE,
     SHADER_CALL_COMPARE_WINDOW,
+    SHADER_CALL_LIST,
+    SHADER_CALL_SAMPLE_GROUPS,
     SHADER_CALL_GATHER,
     SHADER_CALL_LOAD_WORDS,
     SHADER_CALL_SHARE,
@@ -52,6 +54,13 @@ struct shader_found {
 struct shader_found_pair {
     struct shader_found found;
     _Alignas(32) struct rhw_binding memory;
+};
+
+// The groups that go through the code together, and a record for each.
+struct shader_together {
+    void *groups, *records;
+    uint64_t record_size;
+    uint32_t here; // number of groups
 };
 
 #if RHW_HAS_LANES

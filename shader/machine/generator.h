@@ -15,19 +15,24 @@
 #include "form/walk.h"
 #include "form/linked_stage.h"
 
-enum { VECTOR = 32, REGISTERS = 16, NO_COMPONENT = 0xff, SHADER_ROUNDS_A_QUESTION = 256 };
+enum {
+    VECTOR = 32,
+    REGISTERS = 16,
+    NO_COMPONENT = 0xff,
+    SHADER_MAX_GROUP_SAMPLES = 16,
+    SHADER_ROUNDS_A_QUESTION = 256
+};
 
 // What lies at rsp.
 struct shader_machine_frame {
     const struct rhw_shader_frame *bound;
-    unsigned char *groups, *records; // first of the groups that go through the code together
-    uint64_t record_size;
-    uint32_t count;      // groups of the call that are left
-    uint32_t batch;      // as many groups go through the code together at most
-    uint32_t here, left; // groups that go through the code together, and those of a run that are left
-    uint32_t rounds;     // rounds of loops until the next question
-    uint32_t number;     // what a call receives
-    rhw_int any;         // lanes that a loop over groups found
+    struct shader_together together;
+    uint32_t count;  // groups of the call that are left
+    uint32_t batch;  // as many groups go through the code together at most
+    uint32_t left;   // groups of a run that are left
+    uint32_t rounds; // rounds of loops until the next question
+    uint32_t number; // what a call receives
+    rhw_int any;     // lanes that a loop over groups found
     struct shader_request request;
 };
 
@@ -66,6 +71,12 @@ struct shader_edge {
     uint32_t holds[REGISTERS];
 };
 
+// A SAMPLE that is done for all groups before their code begins.
+struct shader_group_sample {
+    uint32_t value;
+    uint32_t at; // number of its first coordinate among the varyings
+};
+
 struct shader_generator {
     struct shader_memory *memory;
     struct shader_encoder code;
@@ -100,7 +111,10 @@ struct shader_generator {
     uint32_t exit;                 // label of the end of the function
     struct shader_edge *group_end; // where the code of a group ends
     struct shader_edge **ends;     // by place of structure: where it ends
-    uint32_t *left; // by place of structure: the lanes that have left, or those that were alive before
+    uint32_t *left;   // by place of structure: the lanes that have left, or those that were alive before
+    bool has_records; // r15 is the group's
+    struct shader_group_sample samples[SHADER_MAX_GROUP_SAMPLES];
+    uint32_t sample_count, table;      // the table of their bindings is an offset in the frame
     struct shader_machine_pair *pairs; // textures and samplers that are put together once a call
     size_t pair_room;
     uint32_t pair_count;
@@ -210,6 +224,23 @@ void shader_spread(struct shader_generator *g, uint32_t value);
 uint32_t shader_element_of(const struct shader_generator *g, uint32_t buffer);
 // Put textures and samplers together, once a call.
 void shader_pair_once(struct shader_generator *g);
+
+// Return the sampler of a SAMPLE or IMAGE_STORE, or SHADER_NONE.
+uint32_t shader_sampler_of(const struct shader_generator *g, const struct shader_node *node,
+                           const uint32_t *operands);
+// Return true if all lanes name one texture and one sampler.
+bool shader_is_one_image(const struct shader_generator *g, uint32_t texture, uint32_t sampler);
+// The binding that all lanes name, as an argument.
+struct shader_argument shader_one_image(struct shader_generator *g, uint32_t texture, uint32_t sampler);
+
+// group_samples.c ------------------------------------------------------------------------------------
+
+// Find samples that are done for all groups, and give them places in the records.
+void shader_find_group_samples(struct shader_generator *g);
+// Put their bindings into a table, once a call.
+void shader_list_group_samples(struct shader_generator *g);
+// Sample for all groups that go through the code together.
+void shader_sample_groups(struct shader_generator *g);
 
 // flow.c ---------------------------------------------------------------------------------------------
 

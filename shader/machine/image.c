@@ -4,14 +4,14 @@
 
 #include <string.h>
 
-static uint32_t sampler_of(const struct shader_generator *g, const struct shader_node *node,
+uint32_t shader_sampler_of(const struct shader_generator *g, const struct shader_node *node,
                            const uint32_t *operands)
 {
     return node->immediate & SHADER_IMAGE_HAS_SAMPLER ? shader_resource_of(g, operands[SHADER_IMAGE_SAMPLER])
                                                       : SHADER_NONE;
 }
 
-static bool is_one_image(const struct shader_generator *g, uint32_t texture, uint32_t sampler)
+bool shader_is_one_image(const struct shader_generator *g, uint32_t texture, uint32_t sampler)
 {
     return shader_is_one(g, texture) && (sampler == SHADER_NONE || shader_is_one(g, sampler));
 }
@@ -55,8 +55,9 @@ void shader_pair_once(struct shader_generator *g)
         uint32_t count;
         const uint32_t *const operands = shader_operands(g->form, node, &count);
         const uint32_t texture = shader_resource_of(g, operands[SHADER_IMAGE_TEXTURE]),
-                       sampler = sampler_of(g, node, operands);
-        if (sampler != SHADER_NONE && is_one_image(g, texture, sampler) && !find_pair(g, texture, sampler)) {
+                       sampler = shader_sampler_of(g, node, operands);
+        if (sampler != SHADER_NONE && shader_is_one_image(g, texture, sampler) &&
+            !find_pair(g, texture, sampler)) {
             put_together(g, texture, sampler);
         }
     }
@@ -131,7 +132,7 @@ static void put_named(struct shader_generator *g, uint32_t texture, uint32_t sam
 }
 
 // The binding that all lanes name.
-static struct shader_argument one_image(struct shader_generator *g, uint32_t texture, uint32_t sampler)
+struct shader_argument shader_one_image(struct shader_generator *g, uint32_t texture, uint32_t sampler)
 {
     return sampler == SHADER_NONE
                ? shader_found_argument(g, texture)
@@ -144,8 +145,8 @@ static void invoke_image(struct shader_generator *g, uint32_t value, bool is_sto
     uint32_t count;
     const uint32_t *const operands = shader_operands(g->form, node, &count);
     const uint32_t texture = shader_resource_of(g, operands[SHADER_IMAGE_TEXTURE]),
-                   sampler = sampler_of(g, node, operands);
-    const bool is_one = is_one_image(g, texture, sampler);
+                   sampler = shader_sampler_of(g, node, operands);
+    const bool is_one = shader_is_one_image(g, texture, sampler);
     put_request(g, operands, node->immediate);
     if (is_store) {
         put_operands(g, &operands[SHADER_IMAGE_TEXEL], 4, 4, offsetof(struct shader_request, texel));
@@ -161,7 +162,7 @@ static void invoke_image(struct shader_generator *g, uint32_t value, bool is_sto
     const bool is_plain = node->op == SHADER_SAMPLE && is_one && (node->immediate & unlike) == 0;
     call.arguments[0] = shader_bound_argument();
     call.arguments[1] = shader_site_argument(g, texture, sampler, node->immediate, 0);
-    call.arguments[2] = is_one ? one_image(g, texture, sampler) : shader_number_argument(0);
+    call.arguments[2] = is_one ? shader_one_image(g, texture, sampler) : shader_number_argument(0);
     call.arguments[3] = shader_address_argument(SHADER_FRAME(request));
     if (!is_store) {
         shader_take_block(g, value);
@@ -251,9 +252,6 @@ static struct window find_window(const struct shader_generator *g, uint32_t firs
 // Write a window with the first of its parts. Return false where there is none that pays.
 static bool select_window(struct shader_generator *g, uint32_t value)
 {
-    if (g->values[value].home == SHADER_IN_WINDOW) {
-        return true; // it came with the first
-    }
     struct shader_node *const node = &g->form->nodes[value];
     const uint32_t first = g->place, rest = g->form->code_count - first;
     const uint32_t end = first + (rest < FAR ? rest : FAR);
@@ -262,9 +260,10 @@ static bool select_window(struct shader_generator *g, uint32_t value)
     uint32_t operands[SHADER_IMAGE_OPERANDS], count;
     const uint32_t *const given = shader_operands(g->form, node, &count);
     const uint32_t texture = shader_resource_of(g, given[SHADER_IMAGE_TEXTURE]),
-                   sampler = sampler_of(g, node, given);
+                   sampler = shader_sampler_of(g, node, given);
     if (window.parts < FEWEST_PARTS || columns > WIDEST || rows > WIDEST ||
-        columns * rows > 2 * window.parts || !is_one_image(g, texture, sampler) || g->plan.has_effects) {
+        columns * rows > 2 * window.parts || !shader_is_one_image(g, texture, sampler) ||
+        g->plan.has_effects) {
         return false;
     }
     memcpy(operands, given, count * sizeof *operands);
@@ -274,7 +273,7 @@ static bool select_window(struct shader_generator *g, uint32_t value)
     const struct shader_invocation call = {
         .which = SHADER_CALL_COMPARE_WINDOW,
         .argument_count = 6,
-        .arguments = {one_image(g, texture, sampler), shader_address_argument(SHADER_FRAME(request)),
+        .arguments = {shader_one_image(g, texture, sampler), shader_address_argument(SHADER_FRAME(request)),
                       shader_number_argument(node->immediate), shader_number_argument((uint64_t)columns),
                       shader_number_argument((uint64_t)rows),
                       shader_address_argument(x86_at(X86_RSP, (int32_t)parts))},
@@ -325,7 +324,8 @@ bool shader_select_image(struct shader_generator *g, uint32_t value)
 {
     switch ((enum shader_op)g->form->nodes[value].op) {
     case SHADER_SAMPLE:
-        if (!select_window(g, value)) {
+        // What has a home came before, for all groups or with another.
+        if (g->values[value].home == SHADER_HOMELESS && !select_window(g, value)) {
             invoke_image(g, value, false);
         }
         return true;

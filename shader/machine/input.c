@@ -36,6 +36,9 @@ static void select_input(struct shader_generator *g, uint32_t value)
 {
     const struct shader_node *const node = &g->form->nodes[value];
     const uint32_t number = node->immediate, component = g->stage->component_of[number];
+    if (g->plan.uses[value] == 0) {
+        return; // it was for samples of all groups
+    }
     switch ((enum shader_op)node->op) {
     case SHADER_INPUT:
         place_value(g, value, SHADER_IN_INPUTS,

@@ -45,11 +45,11 @@ static void store_pointer(struct shader_generator *g, int reg, struct x86_operan
 void shader_open_groups(struct shader_generator *g)
 {
     shader_forget_registers(g);
-    put_pointer(g, X86_RBX, SHADER_FRAME(groups));
-    if (g->plan.has_cuts) {
-        put_pointer(g, X86_R15, SHADER_FRAME(records));
+    put_pointer(g, X86_RBX, SHADER_FRAME(together.groups));
+    if (g->has_records) {
+        put_pointer(g, X86_R15, SHADER_FRAME(together.records));
     }
-    shader_put(g, X86_MOV, X86_RAX, 0, SHADER_FRAME(here));
+    shader_put(g, X86_MOV, X86_RAX, 0, SHADER_FRAME(together.here));
     shader_put(g, X86_MOV_STORE, X86_RAX, 0, SHADER_FRAME(left));
     g->group_loop = shader_label_new(&g->code);
     shader_label_place(&g->code, g->group_loop);
@@ -63,8 +63,8 @@ void shader_open_groups(struct shader_generator *g)
 void shader_close_groups(struct shader_generator *g)
 {
     put_immediate(g, X86_ADD_I | X86_WIDE, x86_reg(X86_RBX), layouts[g->kind].size);
-    if (g->plan.has_cuts) {
-        shader_put(g, X86_ADD | X86_WIDE, X86_R15, 0, SHADER_FRAME(record_size));
+    if (g->has_records) {
+        shader_put(g, X86_ADD | X86_WIDE, X86_R15, 0, SHADER_FRAME(together.record_size));
     }
     put_immediate(g, X86_SUB_I, SHADER_FRAME(left), 1);
     shader_encode_jump_if(&g->code, X86_NOT_EQUAL, g->group_loop);
@@ -99,6 +99,7 @@ static void generate_once(struct shader_generator *g)
     }
     g->place = g->form->code_count;
     shader_pair_once(g);
+    shader_list_group_samples(g);
     shader_flush(g, UINT32_MAX);
     shader_forget_registers(g);
     for (uint32_t value = 0; value < g->value_count; value++) {
@@ -142,7 +143,7 @@ static void end_records(struct shader_generator *g)
     }
 }
 
-// Groups go through the code in batches where they meet.
+// Groups go through the code in batches where they have records.
 static void generate_batches(struct shader_generator *g)
 {
     const uint32_t again = shader_label_new(&g->code), fits = shader_label_new(&g->code);
@@ -152,13 +153,18 @@ static void generate_batches(struct shader_generator *g)
     shader_encode_jump_if(&g->code, X86_BELOW_EQUAL, fits);
     shader_put(g, X86_MOV, X86_RAX, 0, SHADER_FRAME(batch));
     shader_label_place(&g->code, fits);
-    shader_put(g, X86_MOV_STORE, X86_RAX, 0, SHADER_FRAME(here));
-    begin_records(g);
-    shader_generate_code(g);
-    end_records(g);
-    shader_put(g, X86_MOV, X86_RAX, 0, SHADER_FRAME(here));
+    shader_put(g, X86_MOV_STORE, X86_RAX, 0, SHADER_FRAME(together.here));
+    shader_sample_groups(g);
+    if (g->plan.has_cuts) {
+        begin_records(g);
+        shader_generate_code(g);
+        end_records(g);
+    } else {
+        shader_generate_code(g);
+    }
+    shader_put(g, X86_MOV, X86_RAX, 0, SHADER_FRAME(together.here));
     shader_encode(&g->code, X86_IMUL_I | X86_WIDE, X86_RCX, 0, x86_reg(X86_RAX), layouts[g->kind].size);
-    shader_put(g, X86_ADD_STORE | X86_WIDE, X86_RCX, 0, SHADER_FRAME(groups));
+    shader_put(g, X86_ADD_STORE | X86_WIDE, X86_RCX, 0, SHADER_FRAME(together.groups));
     shader_put(g, X86_SUB_STORE, X86_RAX, 0, SHADER_FRAME(count));
     shader_encode_jump_if(&g->code, X86_NOT_EQUAL, again);
 }
@@ -166,15 +172,19 @@ static void generate_batches(struct shader_generator *g)
 static void generate_body(struct shader_generator *g)
 {
     const uint32_t own = g->form->private_count * VECTOR;
+    shader_find_group_samples(g);
+    g->has_records = g->plan.has_cuts || g->sample_count > 0;
     g->own = g->plan.has_cuts ? shader_take_record(g, own) : shader_take_frame(g, own);
     generate_once(g);
-    if (g->plan.has_cuts) {
-        generate_batches(g);
-    } else {
+    if (!g->plan.has_cuts) {
         g->mask = shader_new_value(g);
         g->alive = shader_new_value(g);
         g->values[g->mask].home = SHADER_IN_GROUP;
         g->values[g->mask].offset = (uint32_t)layouts[g->kind].mask;
+    }
+    if (g->has_records) {
+        generate_batches(g);
+    } else {
         shader_generate_code(g);
     }
     shader_label_place(&g->code, g->exit);
@@ -187,11 +197,11 @@ static void generate_body(struct shader_generator *g)
     shader_put(g, X86_RET, 0, 0, x86_reg(0));
 }
 
-// Return how many groups go through the code together. Where there are steps alone, what they keep stays near.
+// Return how many groups go through the code together. Where it shows nowhere how many, what they keep stays near.
 static uint32_t batch_of(const struct shader_generator *g)
 {
     const uint32_t most = g->stage->batch;
-    if (!g->plan.has_steps_alone || g->record_size * most <= NEAR) {
+    if ((g->plan.has_cuts && !g->plan.has_steps_alone) || g->record_size * most <= NEAR) {
         return most;
     }
     const uint32_t near = NEAR / g->record_size, few = most < FEWEST ? most : FEWEST;
@@ -252,14 +262,14 @@ static void generate_entry(struct shader_generator *g, uint32_t body)
         shader_put(g, X86_MOV, X86_RSI, 0, x86_at(X86_RDI, offsetof(struct rhw_workgroup, count)));
         put_pointer(g, X86_RDI, x86_at(X86_RDI, offsetof(struct rhw_workgroup, groups)));
     }
-    store_pointer(g, X86_RDI, SHADER_FRAME(groups));
+    store_pointer(g, X86_RDI, SHADER_FRAME(together.groups));
     put_immediate(g, X86_MOV_I, SHADER_FRAME(batch), (int32_t)batch);
     shader_put(g, X86_MOV_STORE, X86_RSI, 0, SHADER_FRAME(count));
-    shader_put(g, X86_MOV_STORE, X86_RSI, 0, SHADER_FRAME(here));
+    shader_put(g, X86_MOV_STORE, X86_RSI, 0, SHADER_FRAME(together.here));
     shader_put(g, X86_LEA | X86_WIDE, X86_RAX, 0, x86_at(X86_RSP, (int32_t)g->frame_size));
-    store_pointer(g, X86_RAX, SHADER_FRAME(records));
+    store_pointer(g, X86_RAX, SHADER_FRAME(together.records));
     shader_encode_number(&g->code, X86_RAX, g->record_size);
-    store_pointer(g, X86_RAX, SHADER_FRAME(record_size));
+    store_pointer(g, X86_RAX, SHADER_FRAME(together.record_size));
     put_immediate(g, X86_MOV_I, SHADER_FRAME(rounds), SHADER_ROUNDS_A_QUESTION);
     shader_encode_jump(&g->code, body);
 }
@@ -285,6 +295,9 @@ static bool generate(struct shader_memory *memory, const struct shader_linked_st
     g.exit = shader_label_new(&g.code);
     shader_label_place(&g.code, body);
     generate_body(&g);
+    if (g.sample_count > 0) { // texels stand at multiples of their size
+        g.record_size = (g.record_size + 4 * VECTOR - 1) / (4 * VECTOR) * (4 * VECTOR);
+    }
     if (g.frame_size + (uint64_t)batch_of(&g) * g.record_size > MAX_STACK) {
         return false;
     }

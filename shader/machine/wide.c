@@ -143,8 +143,8 @@ static void generate_wide_if(struct shader_generator *g, uint32_t place)
     const uint32_t otherwise = shader_label_new(&g->code), end = shader_label_new(&g->code);
     uint32_t inside = before, outside = before;
     if (structure->is_uniform) { // the first group stands for all
-        shader_put(g, X86_MOV | X86_WIDE, X86_R15, 0, SHADER_FRAME(records));
-        shader_put(g, X86_MOV | X86_WIDE, X86_RBX, 0, SHADER_FRAME(groups));
+        shader_put(g, X86_MOV | X86_WIDE, X86_R15, 0, SHADER_FRAME(together.records));
+        shader_put(g, X86_MOV | X86_WIDE, X86_RBX, 0, SHADER_FRAME(together.groups));
         shader_test_alike(g, condition);
     } else {
         inside = and_in_all(g, before, condition, false);
@@ -197,7 +197,7 @@ static void generate_wide_region(struct shader_generator *g, uint32_t place)
     if (is_loop && !g->is_dead) {
         change_in_all(g, X86_VMOVUPS, round, g->mask);
         shader_put(g, X86_MOV | X86_WIDE, X86_RBX, 0,
-                   SHADER_FRAME(groups)); // it stands behind the last group
+                   SHADER_FRAME(together.groups)); // it stands behind the last group
         shader_generate_giving_up(g, NULL);
         (void)and_in_all(g, round, round, false);
         test_found(g);

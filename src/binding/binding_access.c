@@ -76,6 +76,16 @@ int rhw_binding_sample_samples(const struct rhw_binding *binding)
     return texture ? texture->samples : 0;
 }
 
+int rhw_binding_sample_coordinates(const struct rhw_binding *binding)
+{
+    const struct rhw_binding_data *const data = sampled(binding);
+    if (!data || !data->texture) {
+        return 0;
+    }
+    const struct rhw_texture_shape *const shape = &data->texture->shape;
+    return rhw_texture_components(shape->kind) + (shape->is_array ? 1 : 0);
+}
+
 bool rhw_binding_sample_needs_gradient(const struct rhw_binding *texture, const struct rhw_binding *sampler)
 {
     const struct rhw_binding_data *const of = textured(texture), *const by = rhw_binding_look(sampler);

@@ -351,6 +351,8 @@ class Program:
             self.line(f'{kind} {self.new_name(kind)} = {value};')
         if not self.is_compute:
             self.line('color = vec4(0.25);')
+            self.line('vec4 mapped = texture(levels, smooth_in.xy) + 2.0 * texture(picture, smooth_in.zw) +')
+            self.line('    4.0 * texture(picture, smooth_in.xy);')
         self.depth = 0
         self.block(self.random.randrange(6, 16), True)
         self.depth = 1
@@ -363,7 +365,7 @@ class Program:
             values = ', '.join((f'clean({e()})', f'texture(levels, vec2({e()}, {e()})).x',
                                 f'window(vec3({e()}, {e()}, {e()}))', f'texture(shadow, vec3({e()}, {e()}, {e()})) + '
                                 f'clean(turns(vec3({e()}, {e()}, 0.5)))'))
-            self.line(f'color = vec4({values});')
+            self.line(f'color = vec4({values}) + mapped;')
         self.lines.append('}')
         return '\n'.join(self.lines) + '\n'
 

@@ -165,6 +165,16 @@ static void expect_as_slot(const struct rig *rig, rhw_texture texture, rhw_sampl
     }
 }
 
+static void expect_coordinates(const struct rig *rig, rhw_texture texture, rhw_sampler sampler, int expected)
+{
+    struct rhw_binding bound, alone;
+    assert_int_equal(rhw_binding_of_texture(rig->context, texture, sampler, &bound), RHW_OK);
+    assert_int_equal(rhw_binding_of_texture(rig->context, texture, (rhw_sampler){0}, &alone), RHW_OK);
+    assert_int_equal(rhw_binding_sample_coordinates(&bound), expected);
+    assert_int_equal(rhw_binding_sample_coordinates(&alone), 0); // it has no sampler
+    assert_int_equal(rhw_binding_sample_coordinates(NULL), 0);
+}
+
 static void gradients_are_needed(void **state)
 {
     (void)state;
@@ -218,6 +228,7 @@ static void sampled_as_slots(void **state)
         {.max_anisotropy = 4},
         {.compares = true, .compare = RHW_COMPARE_LESS_EQUAL, .mip_filter = RHW_MIP_FILTER_NONE},
         {.reduction = RHW_REDUCTION_MAX}};
+    static const int coordinates[sizeof textures / sizeof *textures] = {2, 2, 2, 2, 2, 3, 3, 3, 0};
     struct rig rig;
     rig_open(&rig, 16, 16);
     for (size_t t = 0; t < sizeof textures / sizeof *textures; t++) {
@@ -235,6 +246,7 @@ static void sampled_as_slots(void **state)
         for (size_t s = 0; s < sizeof samplers / sizeof *samplers; s++) {
             const rhw_sampler sampler = make_sampler(&rig, &samplers[s]);
             expect_as_slot(&rig, read, sampler, samplers[s].compares);
+            expect_coordinates(&rig, read, sampler, coordinates[t]);
             rhw_sampler_destroy(rig.context, sampler);
         }
         rhw_texture_destroy(rig.context, texture);
