@@ -20,6 +20,17 @@ RHW_API int rhw_binding_sample_levels(const struct rhw_binding *binding);
 /// Return the number of samples in a texel of the binding's texture, or 0 without one.
 RHW_API int rhw_binding_sample_samples(const struct rhw_binding *binding);
 
+/// Texels of one float each: texel (x, y) is texels[y * pitch + x].
+struct rhw_texel_plane {
+    const float *texels; ///< NULL: there are none
+    int32_t width, height, pitch;
+};
+
+/// Return the texels of level 0 of a 2D texture whose format is R32_FLOAT or D32_FLOAT, as shadow maps have, that a
+/// shader may read by itself: rhw_binding_sample_fetch gives them as the first component. Return none for other
+/// textures and for views in another order of channels.
+RHW_API struct rhw_texel_plane rhw_binding_sample_plane(const struct rhw_binding *binding);
+
 /// Return how many coordinates a sample of the binding takes, the layer among them: 1..4. Return 0 where there is
 /// nothing to sample, or no sampler.
 RHW_API int rhw_binding_sample_coordinates(const struct rhw_binding *binding);

@@ -45,11 +45,6 @@ static rhw_float call_COSINE_FIRST(rhw_float *sine, rhw_float a)
     return cosine;
 }
 
-static rhw_int call_INT_FROM_FLOAT(rhw_float a)
-{
-    return rhw_int_from_float(a);
-}
-
 static rhw_int call_BALLOT(rhw_int truth, rhw_int mask)
 {
     return rhw_spirv_ballot(truth, mask);
@@ -376,6 +371,29 @@ static void call_COMPARE_WINDOW(const struct shader_found *one, const struct sha
     rhw_binding_sample_compare_window(one->binding, &request, (int)columns, (int)rows, parts);
 }
 
+static void call_FIND_PLANE(const struct shader_found *texture, struct shader_found_plane *found)
+{
+    *found = (struct shader_found_plane){texture->binding, rhw_binding_sample_plane(texture->binding)};
+}
+
+// Return the first component of texels.
+static rhw_float call_FETCH_PLANE(const struct shader_found_plane *found, rhw_int x, rhw_int y)
+{
+    const struct rhw_texel_plane *const plane = &found->plane;
+    const rhw_int zero = rhw_splat_int(0);
+    if (!plane->texels) {
+        const rhw_int at[4] = {x, y, zero, zero};
+        rhw_float texel[4];
+        rhw_binding_sample_fetch(found->binding, at, NULL, texel);
+        return texel[0];
+    }
+    const rhw_int outside =
+        rhw_less_int(x, zero) | ~rhw_less_int(x, rhw_splat_int(plane->width)) | rhw_less_int(y, zero);
+    return rhw_gather(plane->texels, plane->pitch * plane->height,
+                      (rhw_max_int(rhw_min_int(y, rhw_splat_int(plane->height)), zero) * plane->pitch + x) |
+                          outside);
+}
+
 // Put what all lanes name into a table.
 static void call_LIST(const struct shader_found *found, struct rhw_binding *entry)
 {
@@ -440,43 +458,19 @@ static int call_GIVEN_UP(const struct rhw_bindings *bindings)
 #define TWO(name, result, first, second, function) ENTRY(name),
 static shader_call_function *const functions[SHADER_CALLS] = {
 #include "form/function.inc"
-    ENTRY(INT_FROM_FLOAT),
-    ENTRY(BALLOT),
-    ENTRY(SHUFFLE),
-    ENTRY(SCAN),
-    ENTRY(INPUT_BESIDE),
-    ENTRY(INPUT_BELOW),
-    ENTRY(INPUT_AT),
-    ENTRY(SAMPLE_X),
-    ENTRY(SAMPLE_Y),
-    ENTRY(LOAD),
-    ENTRY(STORE),
-    ENTRY(STORE8),
-    [SHADER_STORE16] = (shader_call_function *)call_STORE8,
-    ENTRY(LENGTH),
-    ENTRY(ATOMIC),
-    ENTRY(IMAGE_ATOMIC),
-    ENTRY(TABLE),
-    ENTRY(SAMPLE),
-    ENTRY(NEEDS_GRADIENT),
-    ENTRY(IMAGE_STORE),
-    MORE(PUSH_WORD),
-    MORE(PUSH),
-    MORE(SINE_FIRST),
-    MORE(COSINE_FIRST),
-    MORE(FIND_WORDS),
-    MORE(FIND_SHARED),
-    MORE(FIND_PAIR),
-    MORE(SAMPLE_ONE),
-    MORE(COMPARE_WINDOW),
-    MORE(LIST),
-    MORE(SAMPLE_GROUPS),
-    MORE(GATHER),
-    MORE(LOAD_WORDS),
-    MORE(SHARE),
-    MORE(OWN),
-    MORE(OWN_STORE),
-    MORE(GIVEN_UP),
+    ENTRY(BALLOT),        ENTRY(SHUFFLE),      ENTRY(SCAN),
+    ENTRY(INPUT_BESIDE),  ENTRY(INPUT_BELOW),  ENTRY(INPUT_AT),
+    ENTRY(SAMPLE_X),      ENTRY(SAMPLE_Y),     ENTRY(LOAD),
+    ENTRY(STORE),         ENTRY(STORE8),       [SHADER_STORE16] = (shader_call_function *)call_STORE8,
+    ENTRY(LENGTH),        ENTRY(ATOMIC),       ENTRY(IMAGE_ATOMIC),
+    ENTRY(TABLE),         ENTRY(SAMPLE),       ENTRY(NEEDS_GRADIENT),
+    ENTRY(IMAGE_STORE),   MORE(PUSH_WORD),     MORE(PUSH),
+    MORE(SINE_FIRST),     MORE(COSINE_FIRST),  MORE(FIND_WORDS),
+    MORE(FIND_SHARED),    MORE(FIND_PAIR),     MORE(SAMPLE_ONE),
+    MORE(COMPARE_WINDOW), MORE(FIND_PLANE),    MORE(FETCH_PLANE),
+    MORE(LIST),           MORE(SAMPLE_GROUPS), MORE(GATHER),
+    MORE(LOAD_WORDS),     MORE(SHARE),         MORE(OWN),
+    MORE(OWN_STORE),      MORE(GIVEN_UP),
 };
 #undef ENTRY
 #undef MORE

@@ -19,6 +19,8 @@ enum shader_call {
     SHADER_CALL_FIND_PAIR,
     SHADER_CALL_SAMPLE_ONE,
     SHADER_CALL_COMPARE_WINDOW,
+    SHADER_CALL_FIND_PLANE,
+    SHADER_CALL_FETCH_PLANE,
     SHADER_CALL_LIST,
     SHADER_CALL_SAMPLE_GROUPS,
     SHADER_CALL_GATHER,
@@ -61,6 +63,12 @@ struct shader_together {
     void *groups, *records;
     uint64_t record_size;
     uint32_t here; // number of groups
+};
+
+// A texture whose texels are read one by one.
+struct shader_found_plane {
+    const struct rhw_binding *binding;
+    struct rhw_texel_plane plane;
 };
 
 #if RHW_HAS_LANES

@@ -12,7 +12,7 @@ enum {
 };
 
 // Values of the fields `pp` and `mmmmm` of VEX.
-enum prefix { PREFIX_NONE, PREFIX_66 };
+enum prefix { PREFIX_NONE, PREFIX_66, PREFIX_F3 };
 enum map { MAP_0F = 1, MAP_0F38, MAP_0F3A };
 
 static const struct x86_encoding encodings[X86_INSTRUCTIONS] = {

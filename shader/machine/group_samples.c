@@ -8,7 +8,8 @@
 // NO_COMPONENT for others.
 static uint32_t varyings_of(const struct shader_generator *g, const uint32_t *values, enum shader_op op)
 {
-    const struct shader_node *const first = &g->form->nodes[values[0]], *const next = &g->form->nodes[values[1]];
+    const struct shader_node *const first = &g->form->nodes[values[0]], *const next =
+                                                                            &g->form->nodes[values[1]];
     if (first->op != op || next->op != op || next->immediate != first->immediate + 1) {
         return NO_COMPONENT;
     }
@@ -89,13 +90,13 @@ void shader_sample_groups(struct shader_generator *g)
             which |= g->samples[i].at == at ? 1u << i : 0;
         }
         left &= ~which;
-        const struct shader_invocation call = {
-            .which = SHADER_CALL_SAMPLE_GROUPS,
-            .argument_count = 4,
-            .arguments = {shader_address_argument(SHADER_FRAME(together)),
-                          shader_address_argument(entry_of(g, 0)), shader_number_argument(which),
-                          shader_number_argument(at)},
-            .result = SHADER_NONE};
+        const struct shader_invocation call = {.which = SHADER_CALL_SAMPLE_GROUPS,
+                                               .argument_count = 4,
+                                               .arguments = {shader_address_argument(SHADER_FRAME(together)),
+                                                             shader_address_argument(entry_of(g, 0)),
+                                                             shader_number_argument(which),
+                                                             shader_number_argument(at)},
+                                               .result = SHADER_NONE};
         shader_invoke(g, &call);
     }
 }

@@ -29,18 +29,55 @@ static struct shader_machine_pair *find_pair(const struct shader_generator *g, u
     return NULL;
 }
 
-static void put_together(struct shader_generator *g, uint32_t texture, uint32_t sampler)
+// Give a pair a place in the frame.
+static struct shader_argument add_pair(struct shader_generator *g, uint32_t texture, uint32_t sampler,
+                                       uint32_t size)
 {
     if (g->pair_count == g->pair_room) {
         g->pairs = shader_grow(g->memory, g->pairs, &g->pair_room, sizeof *g->pairs);
     }
-    const uint32_t offset = shader_take_frame(g, sizeof(struct shader_found_pair));
+    const uint32_t offset = shader_take_frame(g, size);
     g->pairs[g->pair_count++] = (struct shader_machine_pair){texture, sampler, offset};
+    return shader_address_argument(x86_at(X86_RSP, (int32_t)offset));
+}
+
+static void put_together(struct shader_generator *g, uint32_t texture, uint32_t sampler)
+{
     const struct shader_invocation call = {
         .which = SHADER_CALL_FIND_PAIR,
         .argument_count = 3,
         .arguments = {shader_found_argument(g, texture), shader_found_argument(g, sampler),
-                      shader_address_argument(x86_at(X86_RSP, (int32_t)offset))},
+                      add_pair(g, texture, sampler, sizeof(struct shader_found_pair))},
+        .result = SHADER_NONE};
+    shader_invoke(g, &call);
+}
+
+// Return true for a fetch from level 0 of which nothing but the first component is read, by the part behind it.
+static bool is_plane_fetch(const struct shader_generator *g, uint32_t place)
+{
+    const uint32_t value = g->form->code[place];
+    struct shader_node *const nodes = g->form->nodes;
+    if (nodes[value].op != SHADER_SAMPLE || g->plan.uses[value] != 1 || place + 1 == g->form->code_count ||
+        nodes[value].immediate != (SHADER_DO_FETCH | 2 << SHADER_IMAGE_SPATIAL_SHIFT)) {
+        return false;
+    }
+    const struct shader_node *const part = &nodes[g->form->code[place + 1]];
+    uint32_t count;
+    const uint32_t *const operands = shader_operands(g->form, &nodes[value], &count);
+    return part->op == SHADER_PART && part->operands[0] == value && part->immediate == 0 &&
+           shader_is_one(g, shader_resource_of(g, operands[SHADER_IMAGE_TEXTURE]));
+}
+
+static void find_plane(struct shader_generator *g, uint32_t texture)
+{
+    if (find_pair(g, texture, SHADER_NONE)) {
+        return;
+    }
+    const struct shader_invocation call = {
+        .which = SHADER_CALL_FIND_PLANE,
+        .argument_count = 2,
+        .arguments = {shader_found_argument(g, texture),
+                      add_pair(g, texture, SHADER_NONE, sizeof(struct shader_found_plane))},
         .result = SHADER_NONE};
     shader_invoke(g, &call);
 }
@@ -49,6 +86,12 @@ void shader_pair_once(struct shader_generator *g)
 {
     for (uint32_t i = 0; i < g->form->code_count; i++) {
         struct shader_node *const node = &g->form->nodes[g->form->code[i]];
+        if (is_plane_fetch(g, i)) {
+            uint32_t count;
+            find_plane(g,
+                       shader_resource_of(g, shader_operands(g->form, node, &count)[SHADER_IMAGE_TEXTURE]));
+            continue;
+        }
         if (node->op != SHADER_SAMPLE && node->op != SHADER_IMAGE_STORE) {
             continue;
         }
@@ -291,12 +334,36 @@ static bool select_window(struct shader_generator *g, uint32_t value)
     return true;
 }
 
+// Write a fetch whose first component alone is read: the part behind it is what the call returns.
+static bool select_fetch(struct shader_generator *g, uint32_t value)
+{
+    if (!is_plane_fetch(g, g->place)) {
+        return false;
+    }
+    uint32_t count;
+    const uint32_t *const operands = shader_operands(g->form, &g->form->nodes[value], &count);
+    const uint32_t texture = shader_resource_of(g, operands[SHADER_IMAGE_TEXTURE]);
+    const uint32_t offset = find_pair(g, texture, SHADER_NONE)->offset;
+    const struct shader_invocation call = {
+        .which = SHADER_CALL_FETCH_PLANE,
+        .argument_count = 1,
+        .arguments = {shader_address_argument(x86_at(X86_RSP, (int32_t)offset))},
+        .vector_count = 2,
+        .vectors = {operands[SHADER_IMAGE_COORDINATES], operands[SHADER_IMAGE_COORDINATES + 1]},
+        .result = g->form->code[g->place + 1]};
+    shader_invoke(g, &call);
+    return true;
+}
+
 // A part lies where the whole does.
 static void place_part(struct shader_generator *g, uint32_t value)
 {
     const struct shader_node *const node = &g->form->nodes[value];
     const struct shader_machine_value *const whole = &g->values[node->operands[0]];
     struct shader_machine_value *const v = &g->values[value];
+    if (v->reg >= 0) {
+        return; // it is what a fetch returned
+    }
     if (v->is_kept && !whole->is_kept) {
         struct x86_operand at = shader_home_of(g, node->operands[0]);
         at.offset += (int32_t)(VECTOR * node->immediate);
@@ -325,7 +392,7 @@ bool shader_select_image(struct shader_generator *g, uint32_t value)
     switch ((enum shader_op)g->form->nodes[value].op) {
     case SHADER_SAMPLE:
         // What has a home came before, for all groups or with another.
-        if (g->values[value].home == SHADER_HOMELESS && !select_window(g, value)) {
+        if (g->values[value].home == SHADER_HOMELESS && !select_window(g, value) && !select_fetch(g, value)) {
             invoke_image(g, value, false);
         }
         return true;

@@ -110,6 +110,20 @@ static void put_rsqrt(struct shader_generator *g, uint32_t value)
     shader_put(g, X86_VDIVPS, shader_result(g, value), one, x86_reg(root));
 }
 
+// What does not fit becomes the lowest number, which NaN and what is too large turn into 0 and the highest.
+static void put_int_from_float(struct shader_generator *g, uint32_t value)
+{
+    const int a = shader_in_register(g, operands_of(g, value)[0]);
+    const int whole = shader_temporary(g), mask = shader_temporary(g);
+    shader_put(g, X86_VCVTTPS2DQ, whole, 0, x86_reg(a));
+    shader_encode(&g->code, X86_VCMPPS, mask, a, x86_reg(a), X86_EQ_O);
+    shader_put(g, X86_VANDPS, whole, whole, x86_reg(mask));
+    shader_put(g, X86_VBROADCASTSS, mask, 0, shader_pool_scalar(&g->code, 0x4f000000)); // 2^31
+    shader_encode(&g->code, X86_VCMPPS, mask, mask, x86_reg(a), X86_LE_O);
+    shader_end_operands(g);
+    shader_put(g, X86_VXORPS, shader_result(g, value), whole, x86_reg(mask));
+}
+
 // Shifts take the lower 5 bits of what they shift by.
 static void put_shift(struct shader_generator *g, uint32_t value)
 {
@@ -225,6 +239,7 @@ bool shader_select_arithmetic(struct shader_generator *g, uint32_t value)
     case SHADER_SHIFT_LEFT:
     case SHADER_SHIFT_RIGHT:
     case SHADER_SHIFT_RIGHT_SIGNED: put_shift(g, value); return true;
+    case SHADER_INT_FROM_FLOAT: put_int_from_float(g, value); return true;
     case SHADER_RSQRT: put_rsqrt(g, value); return true;
     case SHADER_ULESS: put_unsigned_less(g, value); return true;
     default: break;

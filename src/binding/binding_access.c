@@ -76,6 +76,21 @@ int rhw_binding_sample_samples(const struct rhw_binding *binding)
     return texture ? texture->samples : 0;
 }
 
+struct rhw_texel_plane rhw_binding_sample_plane(const struct rhw_binding *binding)
+{
+    const struct rhw_binding_data *const data = textured(binding);
+    const struct rhw_texture_data *const texture = data ? data->texture : NULL;
+    const bool is_plane = texture && texture->is_plain && !texture->swizzles &&
+                          texture->info->channels == 1 && texture->info->size == sizeof(float) &&
+                          texture->info->codec == RHW_CODEC_FLOAT32;
+    if (!is_plane) {
+        return (struct rhw_texel_plane){.texels = NULL};
+    }
+    const struct rhw_mip *const mip = &texture->mip[0];
+    return (struct rhw_texel_plane){(const float *)(const void *)mip->texels, mip->width, mip->height,
+                                    (int32_t)(mip->row_pitch / sizeof(float))};
+}
+
 int rhw_binding_sample_coordinates(const struct rhw_binding *binding)
 {
     const struct rhw_binding_data *const data = sampled(binding);

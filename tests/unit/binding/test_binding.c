@@ -175,6 +175,23 @@ static void expect_coordinates(const struct rig *rig, rhw_texture texture, rhw_s
     assert_int_equal(rhw_binding_sample_coordinates(NULL), 0);
 }
 
+// A plane has what a fetch gives.
+static void expect_plane(const struct rig *rig, rhw_texture texture, bool is_plane)
+{
+    struct rhw_binding bound;
+    assert_int_equal(rhw_binding_of_texture(rig->context, texture, (rhw_sampler){0}, &bound), RHW_OK);
+    const struct rhw_texel_plane plane = rhw_binding_sample_plane(&bound);
+    assert_true((plane.texels != NULL) == is_plane);
+    for (int y = 0; y < plane.height; y++) {
+        const rhw_int at[4] = {rhw_lane_numbers(), rhw_splat_int(y)};
+        rhw_float texel[4];
+        rhw_binding_sample_fetch(&bound, at, NULL, texel);
+        for (int x = 0; x < plane.width && x < RHW_LANES; x++) {
+            assert_memory_equal(&texel[0][x], &plane.texels[y * plane.pitch + x], sizeof(float));
+        }
+    }
+}
+
 static void gradients_are_needed(void **state)
 {
     (void)state;
@@ -221,6 +238,7 @@ static void sampled_as_slots(void **state)
         {.format = RHW_FORMAT_R8_UNORM, .kind = RHW_TEXTURE_CUBE, .width = 5, .height = 5},
         {.format = RHW_FORMAT_RG8_UNORM, .kind = RHW_TEXTURE_3D, .width = 5, .height = 4, .depth = 3},
         {.format = RHW_FORMAT_RGBA8_UNORM, .width = 6, .height = 6, .samples = 4},
+        {.format = RHW_FORMAT_R32_FLOAT, .width = 9, .height = 5, .mip_levels = 2},
     };
     static const struct rhw_sampler_def samplers[] = {
         {.lod_bias = 0.25f},
@@ -228,7 +246,7 @@ static void sampled_as_slots(void **state)
         {.max_anisotropy = 4},
         {.compares = true, .compare = RHW_COMPARE_LESS_EQUAL, .mip_filter = RHW_MIP_FILTER_NONE},
         {.reduction = RHW_REDUCTION_MAX}};
-    static const int coordinates[sizeof textures / sizeof *textures] = {2, 2, 2, 2, 2, 3, 3, 3, 0};
+    static const int coordinates[sizeof textures / sizeof *textures] = {2, 2, 2, 2, 2, 3, 3, 3, 0, 2};
     struct rig rig;
     rig_open(&rig, 16, 16);
     for (size_t t = 0; t < sizeof textures / sizeof *textures; t++) {
@@ -248,6 +266,12 @@ static void sampled_as_slots(void **state)
             expect_as_slot(&rig, read, sampler, samplers[s].compares);
             expect_coordinates(&rig, read, sampler, coordinates[t]);
             rhw_sampler_destroy(rig.context, sampler);
+        }
+        const bool is_plane =
+            textures[t].format == RHW_FORMAT_R32_FLOAT || textures[t].format == RHW_FORMAT_D32_FLOAT;
+        expect_plane(&rig, texture, is_plane);
+        if (memcmp(&read, &view, sizeof view) == 0) {
+            expect_plane(&rig, view, false); // it has another order of channels
         }
         rhw_texture_destroy(rig.context, texture);
         rhw_texture_destroy(rig.context, view);
