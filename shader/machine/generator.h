@@ -124,6 +124,11 @@ struct shader_machine_pair {
     uint32_t texture, sampler, offset;
 };
 
+// lifetimes.c --------------------------------------------------------------------------------------
+
+// Find where each value is read, and where it ends.
+void shader_find_lifetimes(struct shader_generator *g);
+
 // registers.c --------------------------------------------------------------------------------------
 
 void shader_registers_init(struct shader_generator *g);
@@ -219,9 +224,16 @@ bool shader_is_one(const struct shader_generator *g, uint32_t buffer);
 struct shader_argument shader_found_argument(struct shader_generator *g, uint32_t buffer);
 struct shader_argument shader_site_argument(struct shader_generator *g, uint32_t texture, uint32_t sampler,
                                             uint32_t flags, uint32_t width);
+// Set eax to the number of the word at an offset of bytes. Return true where it is known, in *index.
+bool shader_put_index(struct shader_generator *g, uint32_t offset, uint32_t more, uint32_t *index);
+// Give a value of its own to the number of the word that each lane names.
+uint32_t shader_index_of(struct shader_generator *g, uint32_t offset, uint32_t more);
 // A value is what eax has, in all lanes.
 void shader_spread(struct shader_generator *g, uint32_t value);
 uint32_t shader_element_of(const struct shader_generator *g, uint32_t buffer);
+// own_memory.c: load and store words of the lanes, and load constants of tables.
+void shader_load_own(struct shader_generator *g, uint32_t value);
+void shader_store_own(struct shader_generator *g, const struct shader_node *node);
 // Put textures and samplers together, once a call.
 void shader_pair_once(struct shader_generator *g);
 

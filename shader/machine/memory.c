@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Buffers, push constants, memory of the lanes and of the workgroup, tables, atomics. A load outside of memory gives 0,
-// and a store there does nothing.
+// Buffers, push constants, memory of the workgroup, atomics. A load outside of memory gives 0, and a store there does
+// nothing.
 #include "generator.h"
 
 // The number of a word whose place in bytes an instruction can hold.
@@ -100,8 +100,7 @@ static void find_shared(struct shader_generator *g, uint32_t value)
 
 // Words that all lanes name --------------------------------------------------------------------------
 
-// Set eax to the number of the word at an offset of bytes. Return true where it is known, in *index.
-static bool put_index(struct shader_generator *g, uint32_t offset, uint32_t more, uint32_t *index)
+bool shader_put_index(struct shader_generator *g, uint32_t offset, uint32_t more, uint32_t *index)
 {
     const struct shader_node *const node = &g->form->nodes[offset];
     if (node->op == SHADER_CONSTANT) {
@@ -127,7 +126,7 @@ static void load_push_word(struct shader_generator *g, uint32_t value)
 {
     const struct shader_node *const node = &g->form->nodes[value];
     uint32_t index;
-    if (!put_index(g, node->operands[1], node->immediate, &index)) {
+    if (!shader_put_index(g, node->operands[1], node->immediate, &index)) {
         shader_put(g, X86_MOV_STORE, X86_RAX, 0, SHADER_FRAME(number));
     }
     const bool is_known = g->form->nodes[node->operands[1]].op == SHADER_CONSTANT;
@@ -148,7 +147,8 @@ static void load_word(struct shader_generator *g, uint32_t value, int result, st
 {
     const struct shader_node *const node = &g->form->nodes[value];
     uint32_t index = 0;
-    const bool is_known = put_index(g, node->operands[1], node->immediate, &index) && index < MAX_KNOWN_WORD;
+    const bool is_known =
+        shader_put_index(g, node->operands[1], node->immediate, &index) && index < MAX_KNOWN_WORD;
     const uint32_t end = shader_label_new(&g->code);
     shader_put(g, X86_VXORPS, result, result, x86_reg(result));
     if (is_known) {
@@ -202,7 +202,7 @@ static void load_words(struct shader_generator *g, struct x86_operand words, str
     }
     if (run > 1) {
         const uint32_t apart = shader_label_new(&g->code);
-        if (put_index(g, first->operands[1], first->immediate, &index)) {
+        if (shader_put_index(g, first->operands[1], first->immediate, &index)) {
             shader_encode_number(&g->code, X86_RAX, index);
         }
         shader_put(g, X86_LEA, X86_RCX, 0, x86_at(X86_RAX, (int32_t)last));
@@ -222,45 +222,9 @@ static void load_words(struct shader_generator *g, struct x86_operand words, str
     shader_label_place(&g->code, end);
 }
 
-// The lane's own memory and tables -------------------------------------------------------------------
+// Words of each lane ---------------------------------------------------------------------------------
 
-static struct x86_operand own_at(const struct shader_generator *g, uint32_t word)
-{
-    return x86_at(g->plan.has_cuts ? X86_R15 : X86_RSP, (int32_t)(g->own + word * VECTOR));
-}
-
-// Words that all lanes name are vectors. Put one into `reg`, or from there, where it is.
-static void access_own_vector(struct shader_generator *g, const struct shader_node *node, uint32_t more,
-                              int reg, int mask, int old)
-{
-    uint32_t index = 0;
-    const uint32_t end = shader_label_new(&g->code);
-    struct x86_operand at;
-    if (put_index(g, node->operands[1], more, &index)) {
-        if (index >= g->form->private_count) {
-            shader_label_place(&g->code, end);
-            return;
-        }
-        at = own_at(g, index);
-    } else {
-        shader_encode(&g->code, X86_CMP_I, 0, 0, x86_reg(X86_RAX), (int32_t)g->form->private_count);
-        shader_encode_jump_if(&g->code, X86_ABOVE_EQUAL, end);
-        shader_encode(&g->code, X86_SHL_I, 0, 0, x86_reg(X86_RAX), 5);
-        shader_put(g, X86_LEA | X86_WIDE, X86_RCX, 0, own_at(g, 0));
-        at = x86_at_index(X86_RCX, X86_RAX, 0, 0);
-    }
-    if (old < 0) {
-        shader_put(g, X86_VMOVUPS, reg, 0, at);
-    } else {
-        shader_put(g, X86_VMOVUPS, old, 0, at);
-        shader_encode(&g->code, X86_VBLENDVPS, old, old, x86_reg(reg), mask);
-        shader_put(g, X86_VMOVUPS_STORE, old, 0, at);
-    }
-    shader_label_place(&g->code, end);
-}
-
-// Give a value of its own to the number of the word that each lane names.
-static uint32_t index_of(struct shader_generator *g, uint32_t offset, uint32_t more)
+uint32_t shader_index_of(struct shader_generator *g, uint32_t offset, uint32_t more)
 {
     const struct shader_node *const node = &g->form->nodes[offset];
     const uint32_t index = shader_new_value(g);
@@ -280,57 +244,6 @@ static uint32_t index_of(struct shader_generator *g, uint32_t offset, uint32_t m
     return index;
 }
 
-static struct shader_argument table_argument(const struct shader_generator *g)
-{
-    return shader_number_argument((uint64_t)(uintptr_t)g->form->table);
-}
-
-static void load_own(struct shader_generator *g, uint32_t value)
-{
-    const struct shader_node *const node = &g->form->nodes[value], *const from =
-                                                                       &g->form->nodes[node->operands[0]];
-    const bool is_private = from->op == SHADER_PRIVATE;
-    const bool is_alike = (g->form->nodes[node->operands[1]].flags & SHADER_UNIFORM) != 0;
-    const uint32_t more = node->immediate + 4 * from->immediate;
-    if (is_alike && is_private) {
-        const int result = shader_temporary(g);
-        shader_put(g, X86_VXORPS, result, result, x86_reg(result));
-        access_own_vector(g, node, more, result, -1, -1);
-        shader_assign(g, value, result);
-        return;
-    }
-    struct shader_invocation call = {
-        .which = is_private ? SHADER_CALL_OWN : SHADER_TABLE, .argument_count = 2, .result = value};
-    call.arguments[0] = is_private ? shader_address_argument(own_at(g, 0)) : table_argument(g);
-    call.arguments[1] = shader_number_argument(is_private ? g->form->private_count : g->form->table_count);
-    call.vectors[call.vector_count++] = index_of(g, node->operands[1], more);
-    shader_invoke(g, &call);
-    shader_drop_value(g, call.vectors[0]);
-}
-
-static void store_own(struct shader_generator *g, const struct shader_node *node)
-{
-    const bool is_alike = (g->form->nodes[node->operands[1]].flags & SHADER_UNIFORM) != 0;
-    const uint32_t more = node->immediate + 4 * g->form->nodes[node->operands[0]].immediate;
-    if (is_alike) {
-        const int from = shader_in_register(g, node->operands[2]), mask = shader_in_register(g, g->mask);
-        access_own_vector(g, node, more, from, mask, shader_temporary(g));
-        return;
-    }
-    const uint32_t index = index_of(g, node->operands[1], more);
-    const struct shader_invocation call = {
-        .which = SHADER_CALL_OWN_STORE,
-        .argument_count = 2,
-        .arguments = {shader_address_argument(own_at(g, 0)), shader_number_argument(g->form->private_count)},
-        .vector_count = 3,
-        .vectors = {index, node->operands[2], g->mask},
-        .result = SHADER_NONE};
-    shader_invoke(g, &call);
-    shader_drop_value(g, index);
-}
-
-// Words of each lane ---------------------------------------------------------------------------------
-
 static bool is_written(const struct shader_generator *g, uint32_t buffer)
 {
     const struct shader_node *const node = shader_resource_node(g->form, buffer);
@@ -342,7 +255,7 @@ static bool is_written(const struct shader_generator *g, uint32_t buffer)
 static void load_lanes(struct shader_generator *g, uint32_t value, uint32_t buffer)
 {
     const struct shader_node *const node = &g->form->nodes[value];
-    const uint32_t index = index_of(g, node->operands[1], node->immediate);
+    const uint32_t index = shader_index_of(g, node->operands[1], node->immediate);
     struct shader_invocation call = {.result = value};
     if (g->form->nodes[buffer].op == SHADER_PUSH) {
         call.which = SHADER_CALL_PUSH;
@@ -375,7 +288,7 @@ static void load(struct shader_generator *g, uint32_t value)
     const struct shader_node *const node = &g->form->nodes[value];
     const uint16_t op = g->form->nodes[node->operands[0]].op;
     if (op == SHADER_PRIVATE || op == SHADER_TABLE) {
-        load_own(g, value);
+        shader_load_own(g, value);
         return;
     }
     const bool is_alike = (node->flags & SHADER_UNIFORM) != 0;
@@ -395,7 +308,8 @@ static void store_lanes(struct shader_generator *g, const struct shader_node *no
 {
     const uint32_t buffer = shader_resource_of(g, node->operands[0]);
     const bool is_part = node->op != SHADER_STORE;
-    const uint32_t index = is_part ? node->operands[1] : index_of(g, node->operands[1], node->immediate);
+    const uint32_t index =
+        is_part ? node->operands[1] : shader_index_of(g, node->operands[1], node->immediate);
     struct shader_invocation call = {
         .which = node->op, .argument_count = 3, .vector_count = 4, .result = SHADER_NONE};
     call.arguments[0] = shader_bound_argument();
@@ -460,7 +374,7 @@ static void atomic(struct shader_generator *g, uint32_t value)
     uint32_t count;
     const uint32_t *const operands = shader_operands(g->form, node, &count);
     const uint32_t buffer = shader_resource_of(g, operands[SHADER_ATOMIC_BUFFER]);
-    const uint32_t index = is_image ? SHADER_NONE : index_of(g, operands[SHADER_ATOMIC_OFFSET], 0);
+    const uint32_t index = is_image ? SHADER_NONE : shader_index_of(g, operands[SHADER_ATOMIC_OFFSET], 0);
     struct shader_invocation call = {.which = node->op, .argument_count = 3, .result = value};
     call.arguments[0] = shader_bound_argument();
     call.arguments[1] = shader_site_argument(g, buffer, SHADER_NONE, node->immediate, 0);
@@ -496,7 +410,7 @@ bool shader_select_memory(struct shader_generator *g, uint32_t value)
     case SHADER_LOAD: load(g, value); return true;
     case SHADER_STORE:
         if (g->form->nodes[node->operands[0]].op == SHADER_PRIVATE) {
-            store_own(g, node);
+            shader_store_own(g, node);
         } else {
             store_lanes(g, node);
         }
