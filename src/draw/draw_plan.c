@@ -240,6 +240,7 @@ static struct rhw_draw_plan plan_of(const struct rhw_pipeline_data *pipeline,
     plan.collects = (plan.shading == RHW_SHADING_SMOOTH || plan.shading == RHW_SHADING_ANY) &&
                     plan.sampling == RHW_SAMPLING_CENTER && !reads_targets;
     plan_depth(&plan, &pipeline->def, depth_stencil, phase, samples, paths);
+    plan.drops = plan.depth_mode >= RHW_DEPTH_LATE || plan.masks_samples || uses & RHW_USE_DISCARD;
     plan.is_skipped = phase == RHW_PHASE_DEPTH && (uses & RHW_USE_DISCARD || plan.masks_samples);
     plan.keeps_depth =
         shades && (plan.depth_mode == RHW_DEPTH_LATE || plan.depth_mode == RHW_DEPTH_EARLY_REJECT ||

@@ -90,6 +90,7 @@ struct rhw_draw_plan {
     bool reads_targets;         // before the fragment function (kernels/fragment/target_input.h)
     bool weighs_alpha;          // after the fragment function: by the area that a smooth line covers
     bool masks_samples;         // after the fragment function: by alpha, or the function itself
+    bool drops;                 // after the fragment function: fragments are discarded, masked or tested
     enum rhw_fragment_test test;
     bool is_biased;      // depth is
     bool tests_early;    // with `early`

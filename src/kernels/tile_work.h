@@ -36,6 +36,8 @@ struct fragment_queue {
     // The group's lanes lie anywhere: `texels` tells where.
     bool is_scattered[RHW_FRAGMENT_GROUPS + RHW_BLOCK];
     uint8_t live[RHW_FRAGMENT_GROUPS + RHW_BLOCK]; // a bit per lane
+    // The sample of a group that stands for one sample of each of its pixels. Draws have it that shade each sample.
+    uint8_t sample[RHW_FRAGMENT_GROUPS + RHW_BLOCK];
     int32_t texels[RHW_FRAGMENT_GROUPS][8];
     int count;           // number of groups
     bool only_full_rows; // every group is 8 live pixels in a row

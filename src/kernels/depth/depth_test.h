@@ -151,8 +151,8 @@ RHW_INLINE uint64_t test_block_early(struct tile_depth *depth, const f32x8 z[RHW
 }
 
 // Test the fragments of a row that are set in `bits` after shading.
-static unsigned test_row_late(struct tile_depth *depth, int x, int y, f32x8 z, unsigned bits,
-                              const struct rhw_depth_rule rule)
+RHW_INLINE unsigned test_row_late(struct tile_depth *depth, int x, int y, f32x8 z, unsigned bits,
+                                  const struct rhw_depth_rule rule)
 {
     const unsigned passed = i32x8_sign_bits(
         test_lanes(depth_texels(depth, x, y), z, i32x8_from_bits(bits), open_row(depth, x, y, rule), rule));

@@ -11,6 +11,7 @@
 #include "kernels/tile_units.h"
 #include "blend.h"
 #include "explained_fragment.h"
+#include "full_rows.h"
 #include "sample_queue.h"
 
 static void run_fragment_function(const struct tile_work *work, int count)
@@ -49,38 +50,88 @@ static unsigned finish_depth(struct tile_work *work, int g)
                                   : test_row_late(depth, x, y, z, bits, plan->late);
 }
 
+// Do what finish_depth does, for all groups, where depth and the fragment function alone decide. `rule` is the draw's,
+// a constant where a call names it.
+RHW_INLINE void finish_plain_depth(struct tile_work *work, const struct rhw_depth_rule rule)
+{
+    struct fragment_queue *const queue = &work->scratch->queue;
+    struct tile_depth *const depth = &work->scratch->depth;
+    const uint32_t uses = work->pipeline->def.program.uses;
+    const bool moves = uses & RHW_USE_DEPTH;
+    bool only_full_rows = queue->only_full_rows;
+    if (only_full_rows && rule.open == RHW_OPEN_IGNORED && !(uses & RHW_USE_DISCARD)) {
+        for (int g = 0; g < queue->count; g++) {
+            const f32x8 made = queue->groups[g].depth, z = moves ? viewport_clamp(depth, made) : made;
+            const i32x8 pass = test_lanes(depth->texels + queue->row_at[g], z, i32x8_splat(-1), 0, rule);
+            queue->live[g] = (uint8_t)i32x8_sign_bits(pass);
+            only_full_rows = only_full_rows && queue->live[g] == 0xff;
+        }
+        queue->only_full_rows = only_full_rows;
+        return;
+    }
+    for (int g = 0; g < queue->count; g++) {
+        const struct rhw_fragment *const group = &queue->groups[g];
+        const f32x8 z = moves ? viewport_clamp(depth, group->depth) : group->depth;
+        unsigned live = queue->live[g];
+        if (uses & RHW_USE_DISCARD) {
+            live &= i32x8_sign_bits(group->mask);
+        }
+        if (queue->is_scattered[g]) {
+            live = test_texels_late(depth, queue->texels[g], z, live, rule);
+        } else {
+            const int at = queue->row_at[g];
+            live = test_row_late(depth, texel_column(at), texel_row(at), z, live, rule);
+        }
+        queue->live[g] = (uint8_t)live;
+        only_full_rows = only_full_rows && live == 0xff;
+    }
+    queue->only_full_rows = only_full_rows;
+}
+
+RHW_INLINE void finish_plain_depths(struct tile_work *work)
+{
+    const struct rhw_depth_rule rule = work->plan.late;
+    const bool is_plain = rule.write && rule.open == RHW_OPEN_IGNORED;
+    if (is_plain && rule.compare == RHW_COMPARE_LESS) {
+        finish_plain_depth(work, (struct rhw_depth_rule){RHW_COMPARE_LESS, true, RHW_OPEN_IGNORED});
+    } else if (is_plain && rule.compare == RHW_COMPARE_LESS_EQUAL) {
+        finish_plain_depth(work, (struct rhw_depth_rule){RHW_COMPARE_LESS_EQUAL, true, RHW_OPEN_IGNORED});
+    } else {
+        finish_plain_depth(work, rule);
+    }
+}
+
+// Leave the lanes live that the fragment function did not discard.
+static void leave_undiscarded(struct fragment_queue *queue)
+{
+    bool only_full_rows = queue->only_full_rows;
+    for (int g = 0; g < queue->count; g++) {
+        queue->live[g] &= (uint8_t)i32x8_sign_bits(queue->groups[g].mask);
+        only_full_rows = only_full_rows && queue->live[g] == 0xff;
+    }
+    queue->only_full_rows = only_full_rows;
+}
+
 // Blend what was shaded into target t. `path` is the target's, and `size` is the size of its texels in bytes; both are
 // constants where a call names them.
 RHW_INLINE void blend_target(const struct tile_work *work, int t, enum rhw_blend_path path, size_t size)
 {
-    struct rhw_blend_state state = work->state->blend[t];
-    state.path = path;
     struct fragment_queue *const queue = &work->scratch->queue;
     unsigned char *const texels = work->scratch->color[t];
     const int count = queue->count;
+    if (queue->only_full_rows) {
+        blend_full_rows(work, t, path, size, 0, count, texels);
+        return;
+    }
+    struct rhw_blend_state state = work->state->blend[t];
+    state.path = path;
     const bool replaces = replaces_texels(&state);
-    const bool is_common = path == BLEND_RGBA8_REPLACE || path == BLEND_RGBA8_OVER;
-    if (is_common && queue->only_full_rows && state.texel_mask[0] == UINT32_MAX) {
-        // The compiler knows the mask from here on.
-        state.texel_mask[0] = UINT32_MAX;
-        for (int g = 0; g < count; g++) {
-            blend_group(&state, queue->colors[g][t], i32x8_splat(-1),
-                        texels + (size_t)queue->row_at[g] * size);
-        }
-        return;
-    }
-    if (queue->only_full_rows && (path == BLEND_REPLACE || path == BLEND_OVER || path == BLEND_GENERAL)) {
-        const struct texel_rows rows = {.count = count,
-                                        .color = queue->colors[0][t],
-                                        .stride = sizeof queue->colors[0] / sizeof queue->colors[0][t][0],
-                                        .texels = texels,
-                                        .at = queue->row_at};
-        act_on_rows(&state, &rows);
-        return;
-    }
     _Alignas(32) unsigned char lanes[RHW_LANES * RHW_TEXEL_BYTES] = {0};
     for (int g = 0; g < count; g++) {
         const f32x8 *const color = queue->colors[g][t];
+        if (queue->live[g] == 0) {
+            continue;
+        }
         if (!queue->is_scattered[g]) {
             blend_group(&state, color, i32x8_from_bits(queue->live[g]),
                         texels + (size_t)queue->row_at[g] * size);
@@ -98,17 +149,30 @@ RHW_INLINE void blend_target(const struct tile_work *work, int t, enum rhw_blend
     }
 }
 
+// Leave the lanes live that discarding, masks and the late depth test leave.
+static __attribute__((noinline)) void finish_tests(struct tile_work *work)
+{
+    struct fragment_queue *const queue = &work->scratch->queue;
+    const bool is_late = work->plan.depth_mode >= RHW_DEPTH_LATE;
+    if (work->plan.masks_samples || work->explained || (is_late && work->plan.test != RHW_TEST_DEPTH)) {
+        for (int g = 0; g < queue->count; g++) {
+            queue->live[g] = (uint8_t)finish_depth(work, g);
+            queue->only_full_rows = queue->only_full_rows && queue->live[g] == 0xff;
+        }
+    } else if (is_late) {
+        finish_plain_depths(work);
+    } else {
+        leave_undiscarded(queue);
+    }
+}
+
 // Finish all groups after the fragment function, where a pixel has one sample.
 RHW_INLINE void finish_queue(struct tile_work *work)
 {
     struct fragment_queue *const queue = &work->scratch->queue;
     const struct rhw_pipeline_def *const def = &work->pipeline->def;
-    if (work->plan.depth_mode >= RHW_DEPTH_LATE || work->plan.masks_samples ||
-        def->program.uses & RHW_USE_DISCARD) {
-        for (int g = 0; g < queue->count; g++) {
-            queue->live[g] = (uint8_t)finish_depth(work, g);
-            queue->only_full_rows = queue->only_full_rows && queue->live[g] == 0xff;
-        }
+    if (work->plan.drops) {
+        finish_tests(work);
     }
     for (int g = 0; g < queue->count && def->alpha_to_one; g++) {
         queue->colors[g][0][3] = f32x8_splat(1);

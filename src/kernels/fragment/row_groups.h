@@ -231,16 +231,12 @@ RHW_INLINE void place_one_sample(struct fragment_queue *queue, const struct bloc
 }
 
 // Set which samples the groups from the queue's end on cover.
-static __attribute__((noinline)) void place_samples(const struct tile_work *work, const struct block *block,
-                                                    const struct block_rows *rows)
+static __attribute__((noinline)) void place_any_samples(const struct tile_work *work,
+                                                        const struct block *block,
+                                                        const struct block_rows *rows)
 {
     const struct block_samples *const from = block->samples;
     struct fragment_queue *const queue = &work->scratch->queue;
-    if (from->only >= 0 && !from->depth) {
-        const uint32_t uses = work->pipeline->def.program.uses;
-        place_one_sample(queue, from, rows, uses & (RHW_USE_SAMPLE | RHW_USE_SAMPLE_MASK));
-        return;
-    }
     for (int n = 0; n < rows->count; n++) {
         const int g = queue->count + n, row = rows->row[n];
         i32x8 samples = i32x8_splat(0);
@@ -258,6 +254,20 @@ static __attribute__((noinline)) void place_samples(const struct tile_work *work
         queue->groups[g].sample_id = i32x8_splat(from->only);
         queue->groups[g].sample_position[0] = f32x8_splat(from->position[0]);
         queue->groups[g].sample_position[1] = f32x8_splat(from->position[1]);
+    }
+}
+
+RHW_INLINE void place_samples(const struct tile_work *work, const struct block *block,
+                              const struct block_rows *rows)
+{
+    const struct block_samples *const from = block->samples;
+    struct fragment_queue *const queue = &work->scratch->queue;
+    const uint32_t uses = work->pipeline->def.program.uses;
+    memset(&queue->sample[queue->count], from->only, RHW_BLOCK);
+    if (from->only >= 0 && !from->depth) {
+        place_one_sample(queue, from, rows, uses & (RHW_USE_SAMPLE | RHW_USE_SAMPLE_MASK));
+    } else {
+        place_any_samples(work, block, rows);
     }
 }
 

@@ -9,7 +9,7 @@
 #include "blend.h"
 #include "expand.h"
 #include "explained_fragment.h"
-#include "row_sample.h"
+#include "full_rows.h"
 #include "woven.h"
 
 // Return the lanes whose fragment covers sample s.
@@ -222,43 +222,45 @@ RHW_INLINE void blend_samples(const struct tile_work *work, int g, i32x8 samples
     }
 }
 
-// Blend groups, which are rows of one sample each, into target t: the lanes whose sample is in `samples`. `path` is the
-// target's, a constant where a call names it.
+// Blend groups, which are rows of one sample each, into target t: the lanes whose sample is in `samples`.
 RHW_INLINE void blend_rows_of_samples(const struct tile_work *work, int t, enum rhw_blend_path path,
-                                      const i32x8 *samples)
+                                      size_t size, const i32x8 *samples)
 {
+    const struct fragment_queue *const queue = &work->scratch->queue;
+    if (queue->only_full_rows) {
+        for (int g = 0, end; g < queue->count; g = end) {
+            const int sample = queue->sample[g];
+            for (end = g + 1; end < queue->count && queue->sample[end] == sample;) {
+                end++;
+            }
+            blend_full_rows(work, t, path, size, g, end, color_of_sample(work->scratch, t, sample));
+        }
+        return;
+    }
     struct rhw_blend_state state = work->state->blend[t];
     state.path = path;
-    const struct fragment_queue *const queue = &work->scratch->queue;
-    const size_t size = work->target->colors[t].texel_size;
     for (int g = 0; g < queue->count; g++) {
         const i32x8 live = ~rhw_equal_int(samples[g], i32x8_splat(0));
         if (rhw_any(live)) {
             blend_group(&state, queue->colors[g][t], live,
-                        color_of_sample(work->scratch, t, sample_of_group(queue, g)) +
+                        color_of_sample(work->scratch, t, queue->sample[g]) +
                             (size_t)queue->row_at[g] * size);
         }
     }
 }
 
-// Finish groups that are rows of one sample each: what is left of them in `samples`.
-static __attribute__((noinline)) void finish_rows_of_samples(struct tile_work *work, const i32x8 *samples)
+// Blend groups that are rows of one sample each: what is left of them in `samples`. Their blocks are expanded.
+static __attribute__((noinline)) void finish_rows_of_samples(const struct tile_work *work,
+                                                             const i32x8 *samples)
 {
-    const struct fragment_queue *const queue = &work->scratch->queue;
-    for (int g = 0; g < queue->count; g++) {
-        const int block = block_of_texel(queue->row_at[g]);
-        if (!(work->scratch->expanded >> block & 1)) {
-            expand_block(work, block);
-        }
-    }
     for (int t = 0; t < work->target->color_count; t++) {
         const enum rhw_blend_path path = work->state->blend[t].path;
         if (path == BLEND_RGBA8_REPLACE) {
-            blend_rows_of_samples(work, t, BLEND_RGBA8_REPLACE, samples);
+            blend_rows_of_samples(work, t, BLEND_RGBA8_REPLACE, 4, samples);
         } else if (path == BLEND_RGBA8_OVER) {
-            blend_rows_of_samples(work, t, BLEND_RGBA8_OVER, samples);
+            blend_rows_of_samples(work, t, BLEND_RGBA8_OVER, 4, samples);
         } else {
-            blend_rows_of_samples(work, t, path, samples);
+            blend_rows_of_samples(work, t, path, work->target->colors[t].texel_size, samples);
         }
     }
 }
@@ -268,9 +270,12 @@ static __attribute__((noinline)) void finish_sample_queue(struct tile_work *work
 {
     struct fragment_queue *const queue = &work->scratch->queue;
     const struct rhw_pipeline_def *const def = &work->pipeline->def;
-    const bool drops = work->plan.masks_samples || work->plan.depth_mode >= RHW_DEPTH_LATE ||
-                       def->program.uses & RHW_USE_DISCARD;
+    const bool drops = work->plan.drops;
     const bool is_single = work->plan.sampling == RHW_SAMPLING_SAMPLE && !work->scratch->is_woven;
+    if (is_single && !drops && !def->alpha_to_one && !work->explained) {
+        finish_rows_of_samples(work, queue->samples);
+        return;
+    }
     i32x8 left[RHW_FRAGMENT_GROUPS];
     for (int g = 0; g < queue->count; g++) {
         const i32x8 samples = drops ? finish_samples(work, g) : queue->samples[g];
@@ -286,6 +291,7 @@ static __attribute__((noinline)) void finish_sample_queue(struct tile_work *work
         }
     }
     if (is_single) {
+        queue->only_full_rows = queue->only_full_rows && !drops;
         finish_rows_of_samples(work, left);
     }
 }

@@ -55,15 +55,16 @@ struct level_rows {
     float y[RHW_BLOCK], depth[RHW_BLOCK], inverse_w[RHW_BLOCK];
 };
 
-// Return true if coordinates are all that groups have beside smooth and flat varyings, and their depth and 1/W have one
-// value along a row, as on floors and on whatever faces the camera.
-static bool wants_level_coordinates(const struct tile_work *work, const struct planes *planes)
+// Return true if depth or coordinates are all that groups have beside smooth and flat varyings, and depth and 1/W have
+// one value along a row, as on floors and on whatever faces the camera.
+static bool wants_level_rows(const struct tile_work *work, const struct planes *planes)
 {
     const struct rhw_pipeline_data *const pipeline = work->pipeline;
-    return pipeline->def.program.uses & RHW_USE_COORD && work->plan.fills_more && !work->plan.reads_targets &&
-           !pipeline->any_noperspective && !pipeline->any_constant_derivatives &&
-           plane_is_level(plane_of(&planes->quantities, QUANTITY_S)) &&
-           plane_is_level(plane_of(&planes->quantities, QUANTITY_Z));
+    const bool has_others =
+        work->plan.reads_targets || pipeline->any_noperspective || pipeline->any_constant_derivatives;
+    return work->plan.keeps_depth && !has_others &&
+           plane_is_level(plane_of(&planes->quantities, QUANTITY_Z)) &&
+           plane_is_level(plane_of(&planes->quantities, QUANTITY_S));
 }
 
 // Set what the blocks at row y of the tile share. `dy` is where their rows lie from the anchor.
@@ -79,18 +80,24 @@ RHW_INLINE void level_rows_set(struct level_rows *out, const struct tile_work *w
     f32x8_store(out->y, coordinate_of_pixels(work->y + y, (float)sample_offset()));
 }
 
-// Set depth and coordinates of a block at column x of the tile.
+// Set depth and coordinates of a block at column x of the tile, if they are asked for.
 RHW_INLINE void fill_level_block(const struct tile_work *work, const struct level_rows *rows, int x)
 {
+    const uint32_t uses = work->pipeline->def.program.uses;
     struct rhw_fragment *const groups = &work->scratch->queue.groups[work->scratch->queue.count];
-    const f32x8 columns = coordinate_of_pixels(work->x + x, (float)sample_offset());
-    for (int row = 0; row < RHW_BLOCK; row++) {
-        const f32x8 depth = f32x8_splat(rows->depth[row]);
-        groups[row].depth = depth;
-        groups[row].coord[0] = columns;
-        groups[row].coord[1] = f32x8_splat(rows->y[row]);
-        groups[row].coord[2] = depth;
-        groups[row].coord[3] = f32x8_splat(rows->inverse_w[row]);
+    if (uses & RHW_USE_COORD) {
+        const f32x8 columns = coordinate_of_pixels(work->x + x, (float)sample_offset());
+        for (int row = 0; row < RHW_BLOCK; row++) {
+            groups[row].coord[0] = columns;
+            groups[row].coord[1] = f32x8_splat(rows->y[row]);
+            groups[row].coord[2] = f32x8_splat(rows->depth[row]);
+            groups[row].coord[3] = f32x8_splat(rows->inverse_w[row]);
+        }
+    }
+    if (uses & RHW_USE_DEPTH || work->plan.depth_mode == RHW_DEPTH_LATE) {
+        for (int row = 0; row < RHW_BLOCK; row++) {
+            groups[row].depth = f32x8_splat(rows->depth[row]);
+        }
     }
 }
 
@@ -98,7 +105,7 @@ RHW_INLINE void fill_whole_tile(struct tile_work *work, const struct triangle_wo
                                 enum derivatives derivatives, enum weight_path path)
 {
     const bool weighs = derivatives == DERIVATIVES || wants_weights(work->pipeline);
-    const bool is_level = wants_level_coordinates(work, &triangle->planes);
+    const bool is_level = wants_level_rows(work, &triangle->planes);
     const bool more =
         !is_level && (work->plan.keeps_depth || work->plan.fills_more || work->plan.reads_targets);
     const struct planes *const planes = &triangle->planes;

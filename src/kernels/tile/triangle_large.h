@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Any triangle can be drawn in a tile block by block of 8×8 pixels: coverage and depth are tested, and what survives is
 // collected for shading. This is the general path. Small triangles have a path of their own (triangle_small.h), and so
-// have triangles that cover the tile all over where no depth is tested: 17 % fewer instructions in fill_color. Small
-// slivers, and small triangles of one colour, come here as well, by spans instead of coverage.
+// have triangles that cover the tile all over where no depth is tested before shading: 17 % fewer instructions in
+// fill_color. Small slivers, and small triangles of one colour, come here as well, by spans instead of coverage.
 #ifndef RHW_TRIANGLE_LARGE_H
 #define RHW_TRIANGLE_LARGE_H
 
@@ -135,12 +135,14 @@ RHW_INLINE bool takes_whole_tile(const struct tile_work *work)
     const struct rhw_draw_plan *const plan = &work->plan;
     const bool all_open =
         work->phase == RHW_PHASE_BACKWARDS && work->scratch->depth.open_count == RHW_TILE * RHW_TILE;
-    return plan->shading == RHW_SHADING_SMOOTH && plan->depth_mode == RHW_DEPTH_NONE &&
-           !plan->keeps_identity && !work->is_scissored && (work->phase == RHW_PHASE_ONLY || all_open);
+    const bool is_open = plan->depth_mode == RHW_DEPTH_NONE && all_open;
+    const bool tests_late = plan->depth_mode == RHW_DEPTH_NONE || plan->depth_mode == RHW_DEPTH_LATE;
+    return plan->shading == RHW_SHADING_SMOOTH && !plan->keeps_identity && !work->is_scissored &&
+           (is_open || (tests_late && work->phase == RHW_PHASE_ONLY));
 }
 
-// Draw a triangle that covers the tile all over where no depth is tested, as in full-screen passes: what its blocks
-// share is done once. Return false if the triangle takes the path of any other.
+// Draw a triangle that covers the tile all over where no depth is tested before shading, as in full-screen passes: what
+// its blocks share is done once. Return false if the triangle takes the path of any other.
 static __attribute__((noinline)) bool draw_whole_tile(struct tile_work *work, struct triangle_work *triangle)
 {
     set_planes(work, triangle);

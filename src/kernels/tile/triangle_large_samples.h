@@ -145,6 +145,15 @@ static void queue_samples(struct tile_work *work, struct triangle_work *triangle
     }
 }
 
+// Expand the block at (x, y), whose samples are about to be shaded one by one.
+static void separate_samples(const struct tile_work *work, int x, int y)
+{
+    const int number = block_of_texel(y * RHW_TILE + x);
+    if (!(work->scratch->expanded >> number & 1)) {
+        expand_block(work, number);
+    }
+}
+
 static void queue_sampled_block(struct tile_work *work, struct triangle_work *triangle,
                                 const struct sampled_block *block, uint64_t any)
 {
@@ -161,6 +170,9 @@ static void queue_sampled_block(struct tile_work *work, struct triangle_work *tr
         }
         break;
     case RHW_SAMPLING_SAMPLE:
+        if (!work->scratch->is_woven) {
+            separate_samples(work, block->x, block->y);
+        }
         for (int s = 0; s < work->samples; s++) {
             queue_samples(work, triangle, block, block->mask[s], s);
         }
