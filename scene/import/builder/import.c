@@ -330,9 +330,8 @@ void *scene_import_read_bytes(const char *path, size_t *size, const char **probl
         done += (size_t)step;
     }
     close(descriptor);
-    const char *pointer = scene_import_pointer_problem(bytes, *size);
-    if (done < *size || pointer != NULL) {
-        *problem = pointer != NULL ? pointer : "could not be read to its end";
+    *problem = done < *size ? "could not be read to its end" : scene_import_pointer_problem(bytes, *size);
+    if (*problem != NULL) {
         free(bytes);
         return NULL;
     }
