@@ -185,6 +185,18 @@ static void access_image(const struct frame *frame, const struct rhw_binding *bi
     }
 }
 
+// Fetch what rhw_binding_sample_fetch gives of a plane. Numbers outside of it pick no texel.
+static void fetch_from_plane(const struct rhw_texel_plane *plane, rhw_int x, rhw_int y, rhw_float texel[4])
+{
+    const rhw_int width = rhw_splat_int(plane->width), height = rhw_splat_int(plane->height);
+    const rhw_int inside = ~(x >> 31) & ~(y >> 31) & rhw_less_int(x, width) & rhw_less_int(y, height);
+    const rhw_int number =
+        rhw_select_int(inside, rhw_min_int(rhw_max_int(y, 0), height) * plane->pitch + x, rhw_splat_int(-1));
+    texel[0] = rhw_gather(plane->texels, plane->pitch * plane->height, number);
+    texel[1] = texel[2] = rhw_splat(0.0f);
+    texel[3] = rhw_splat(1.0f);
+}
+
 // Fetch texels of level 0 of one texture: nothing but coordinates differs from group to group.
 static void fetch_groups(struct frame *frame, const struct shader_operand_of *operands,
                          const struct shader_instruction *in, const struct rhw_binding *binding)
@@ -201,7 +213,11 @@ static void fetch_groups(struct frame *frame, const struct shader_operand_of *op
         from[i] = i < coordinates ? &frame->registers[operand.vector] : &nothing;
         steps[i] = i < coordinates && !operand.is_uniform ? 1 : 0;
     }
-    for (ptrdiff_t g = frame->range.first; g < frame->range.end; g++) {
+    const struct rhw_texel_plane plane = rhw_binding_sample_plane(binding);
+    for (ptrdiff_t g = frame->range.first; g < frame->range.end && plane.texels; g++) {
+        fetch_from_plane(&plane, from[0][g * steps[0]].i, from[1][g * steps[1]].i, frame->texels[g]);
+    }
+    for (ptrdiff_t g = frame->range.first; g < frame->range.end && !plane.texels; g++) {
         if (rhw_any(active[g].i)) {
             const rhw_int at[4] = {from[0][g * steps[0]].i, from[1][g * steps[1]].i, from[2][g * steps[2]].i,
                                    nothing.i};
