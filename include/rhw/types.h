@@ -382,9 +382,9 @@ struct rhw_vertex_layout {
 /// target as it is.
 enum rhw_qualifier { RHW_SMOOTH, RHW_NOPERSPECTIVE, RHW_FLAT };
 
-/// The place in its pixel where a fragment of a multisampled pass takes a varying (Vulkan 1.3 §28.3). Coordinates and
-/// barycentric weights are those of the centre. If one varying asks for SAMPLE, or the fragment function is called for
-/// each sample for another reason, everything is taken at the sample.
+/// The place in its pixel where a fragment of a multisampled pass takes a varying (Vulkan 1.3 §28.3). Depth,
+/// coordinates and barycentric weights are those of the centre. If one varying asks for SAMPLE, or the fragment
+/// function is called for each sample for another reason, everything is taken at the sample.
 enum rhw_sampling {
     RHW_SAMPLING_CENTER,   ///< the pixel's centre, also where the triangle does not cover the centre
     RHW_SAMPLING_CENTROID, ///< the first sample that the triangle covers, or the centre if it covers all samples

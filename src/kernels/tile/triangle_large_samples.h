@@ -100,7 +100,8 @@ static void test_samples(struct tile_work *work, const struct triangle_work *tri
 // Return true if fragments that take varyings at centroids have something that is taken at their pixels' centres.
 static bool takes_centers(const struct rhw_pipeline_data *pipeline)
 {
-    const uint32_t placed = RHW_USE_COORD | RHW_USE_BARYCENTRIC;
+    const uint32_t placed =
+        RHW_USE_COORD | RHW_USE_BARYCENTRIC | RHW_USE_BARYCENTRIC_DERIVATIVES | RHW_USE_POINT_COORD;
     return pipeline->any_at_center || pipeline->def.program.uses & placed;
 }
 
@@ -121,15 +122,16 @@ static void queue_samples(struct tile_work *work, struct triangle_work *triangle
         samples.position[0] = (float)pattern->x_0_8[at] / RHW_SUBPIXEL;
         samples.position[1] = (float)pattern->y_0_8[at] / RHW_SUBPIXEL;
     }
-    if (at >= 0 && !per_sample && takes_centers(work->pipeline)) {
+    const bool at_centroids = at >= 0 && !per_sample;
+    if (at_centroids) {
         block_set(&center, work, triangle, from, -1);
-        samples.center = &center;
+        samples.center = takes_centers(work->pipeline) ? &center : NULL;
     }
     samples.depth = work->plan.depth_mode >= RHW_DEPTH_LATE ? from->z : NULL;
     block.samples = &samples;
     block.z = z;
     if (work->plan.keeps_depth) {
-        depth_rows(work, triangle, &block, pixels, z);
+        depth_rows(work, triangle, at_centroids ? &center : &block, pixels, z);
     }
     const bool is_whole = pixels == ~(uint64_t)0;
     if (at < 0 && (!is_whole || all_samples(work, from->mask) != pixels) &&

@@ -361,12 +361,12 @@ static void twice_fragment(struct rhw_fragment *groups, int count)
         f->color[0][0] = f->varying[0];
         f->color[0][1] = f->varying[4];
         f->color[0][2] = rhw_interpolate_at(f, 4, 7, offset);
-        f->color[0][3] = f->coord[3];
+        f->color[0][3] = f->coord[3] + f->coord[2];
     }
 }
 
 // Centroids of one varying leave another one, its derivatives and coordinates at the centre. In perspective 1/w is a
-// ramp of 0.01 a pixel from 0.2 on, and a value the place over w.
+// ramp of 0.01 a pixel from 0.2 on, depth half of that, and a value the place over w.
 static void test_centroids_beside_centers(void **state)
 {
     (void)state;
@@ -382,7 +382,7 @@ static void test_centroids_beside_centers(void **state)
         struct rig_vertex vertices[3];
         for (int k = 0; k < 3; k++) {
             const float x = corners[k][0], w = 1 / (0.2f + 0.01f * x);
-            rig_place(&rig, x, corners[k][1], 0.5f, w, vertices[k].position);
+            rig_place(&rig, x, corners[k][1], 0.5f / w, w, vertices[k].position);
             memcpy(vertices[k].value, (const float[4]){x * w, 0, 0, w}, sizeof vertices[k].value);
         }
         rig_draw_once(&rig, vertices, 3);
@@ -402,7 +402,7 @@ static void test_centroids_beside_centers(void **state)
                 assert_true(fabsf(pixel[0] - place / (0.2f + 0.01f * place)) < 1e-4f);
                 assert_true(fabsf(pixel[1] - center / (0.2f + 0.01f * center)) < 1e-4f);
                 assert_true(fabsf(pixel[2] - (center + 0.5f) / (0.205f + 0.01f * center)) < 1e-3f);
-                assert_true(fabsf(pixel[3] - (0.2f + 0.01f * center)) < 1e-6f);
+                assert_true(fabsf(pixel[3] - 1.5f * (0.2f + 0.01f * center)) < 1e-6f);
             }
         }
         rig_close(&rig);
