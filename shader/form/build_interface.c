@@ -240,6 +240,9 @@ static uint32_t add_located(struct interface_walk *walk, const struct shader_typ
                             uint32_t component, uint8_t interpolation)
 {
     switch (type->kind) {
+    if (type->is_empty) {
+        return location; // arrays of it may have any number of elements
+    }
     case SHADER_MATRIX:
     case SHADER_ARRAY:
         for (uint32_t i = 0; i < type->count; i++) {

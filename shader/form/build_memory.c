@@ -118,6 +118,9 @@ static void access_memory(struct shader_builder *builder, const struct shader_pl
                           const uint32_t **stored)
 {
     const struct shader_type *const type = place->type;
+    if (type->is_empty) {
+        return; // arrays of it may have any number of elements
+    }
     if (type->kind == SHADER_INT || type->kind == SHADER_FLOAT || type->kind == SHADER_BOOL) {
         if (loaded) {
             *(*loaded)++ = load_scalar(builder, place);

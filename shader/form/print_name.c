@@ -15,6 +15,9 @@ static void print_component(const struct shader_sink *sink, const struct shader_
 static uint32_t locations_of(const struct shader_type *type)
 {
     uint32_t count = 0;
+    if (type->is_empty) {
+        return 0; // arrays of it may have any number of elements
+    }
     switch (type->kind) {
     case SHADER_MATRIX:
     case SHADER_ARRAY: return type->count * locations_of(type->element);

@@ -175,6 +175,9 @@ struct variable_list {
 static uint32_t add_variables(struct variable_list *list, const struct shader_type *type, uint32_t location,
                               uint32_t component, const char *name)
 {
+    if (type->is_empty) {
+        return location; // arrays of it may have any number of elements
+    }
     if (type->kind == SHADER_MATRIX || type->kind == SHADER_ARRAY) {
         for (uint32_t i = 0; i < type->count; i++) {
             location = add_variables(list, type->element, location, component, name);

@@ -401,6 +401,29 @@ static void test_layouts_are_bounded(void **state)
     free(module->words);
 }
 
+// An output that holds 2^124 structures without members.
+static void test_arrays_of_nothing(void **state)
+{
+    (void)state;
+    enum { ENTRY_POINT_OF_ONE = 0x6000f, MODE_ALONE = 0x30010, ORIGIN_UPPER_LEFT = 7, OUTPUT = 3 };
+    enum { FRAGMENT = 4, LOCATION = 30, TYPE_STRUCT_OF_NONE = 0x2001e, DEPTH = 4 };
+    struct growing whole = {.next_id = FREE}, *const module = &whole;
+    const uint32_t output = FREE, many = FREE + 1, pointer = FREE + 2, type = FREE + 3;
+    module->next_id = type + DEPTH + 1;
+    PUT(0x07230203, 0x10300, 0, 0, 0);
+    PUT(CAPABILITY, 1, MEMORY_MODEL, 0, 1, ENTRY_POINT_OF_ONE, FRAGMENT, MAIN, 0x6e69616d, 0, output);
+    PUT(MODE_ALONE, MAIN, ORIGIN_UPPER_LEFT, DECORATE_WITH, output, LOCATION, 0);
+    declare(module);
+    PUT(CONSTANT, UINT, many, INT32_MAX, TYPE_STRUCT_OF_NONE, type);
+    for (uint32_t i = 0; i < DEPTH; i++) {
+        PUT(TYPE_ARRAY, type + i + 1, type + i, many);
+    }
+    PUT(TYPE_POINTER, pointer, OUTPUT, type + DEPTH, VARIABLE, pointer, output, OUTPUT);
+    begin_function(module, MAIN);
+    end_function(module);
+    finish("an output of nothing", "taken", module);
+}
+
 // A texture with a dimension that the shader does not know of is read at its first slice.
 static void test_a_texture_of_another_kind(void **state)
 {
@@ -439,7 +462,8 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_switches_within_each_other), cmocka_unit_test(test_calls_that_double),
     cmocka_unit_test(test_constants_of_one_bucket),    cmocka_unit_test(test_decorations_without_end),
     cmocka_unit_test(test_bounds_are_named),           cmocka_unit_test(test_layouts_are_bounded),
-    cmocka_unit_test(test_resources_are_bounded),      cmocka_unit_test(test_a_texture_of_another_kind),
+    cmocka_unit_test(test_resources_are_bounded),      cmocka_unit_test(test_arrays_of_nothing),
+    cmocka_unit_test(test_a_texture_of_another_kind),
 };
 
 const struct unit_tests test_spirv_hostile = UNIT_TESTS(tests, NULL, NULL);
