@@ -100,6 +100,31 @@ static void instances_share_elements(void **state)
     }
 }
 
+// With divisor 0 all instances read the element of the first one, which lies as many strides from the begin.
+static void instances_share_the_first_element(void **state)
+{
+    (void)state;
+    static const uint8_t padded[2][16] = {{255, 0, 0, 255}, {0, 0, 255, 255}};
+    const VkVertexInputBindingDivisorDescriptionEXT one = {1, 0};
+    const VkPipelineVertexInputDivisorStateCreateInfoEXT divisors = {
+        .sType = VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_DIVISOR_STATE_CREATE_INFO_EXT,
+        .vertexBindingDivisorCount = 1,
+        .pVertexBindingDivisors = &one};
+    struct drawing d;
+    open_drawing(&d);
+    d.state.buffers[1] =
+        (VkVertexInputBindingDescription){1, sizeof padded[0], VK_VERTEX_INPUT_RATE_INSTANCE};
+    d.state.input.pNext = &divisors;
+    begin_drawing(&d, whole, sizeof whole);
+    const struct rig_buffer buffer = rig_buffer(&d.rig, sizeof padded, padded);
+    vkCmdBindVertexBuffers(d.rig.commands, 1, 1, &buffer.buffer, &(VkDeviceSize){0});
+    vkCmdDraw(d.rig.commands, 3, 2, 0, 1);
+    picture_end(&d.picture);
+    assert_int_equal(picture_texel(&d.picture, 24, 30), blue);
+    assert_int_equal(picture_texel(&d.picture, 40, 30), blue);
+    rig_close(&d.rig);
+}
+
 static void depth_may_be_beyond_the_view(void **state)
 {
     (void)state;
@@ -387,3 +412,4 @@ static const struct CMUnitTest tests[] = {
 };
 
 const struct unit_tests test_vulkan_extensions = UNIT_TESTS(tests, NULL, NULL);
+    cmocka_unit_test(instances_share_the_first_element),

@@ -54,7 +54,7 @@ static struct rhw_vertex_layout layout_of(const VkPipelineVertexInputStateCreate
 {
     const bool by_instance = buffer->stride != 0 && buffer->inputRate == VK_VERTEX_INPUT_RATE_INSTANCE;
     const uint32_t divisor = by_instance ? divisor_of(input, buffer->binding) : 0;
-    return (struct rhw_vertex_layout){.stride = divisor != 0 || !by_instance ? buffer->stride : 0,
+    return (struct rhw_vertex_layout){.stride = buffer->stride,
                                       .constant = by_instance ? divisor == 0 : buffer->stride == 0,
                                       .per_instance = by_instance,
                                       .instance_step = divisor};
