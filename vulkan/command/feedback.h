@@ -17,6 +17,8 @@ struct vulkan_feedback_range {
 
 struct vulkan_feedback {
     struct vulkan_feedback_range ranges[RHW_MAX_FEEDBACK_TARGETS];
+    /// Stands for ranges that are full, so that primitives are counted. No primitive has room there.
+    uint32_t no_room[RHW_MAX_FEEDBACK_TARGETS];
     bool is_active; ///< between vkCmdBeginTransformFeedbackEXT and vkCmdEndTransformFeedbackEXT
     bool is_begun;  ///< the pass of librhw that is open writes it
 };

@@ -10,22 +10,19 @@ void vulkan_feedback_resume(struct vulkan_replay *replay)
 {
     struct vulkan_feedback *const feedback = &replay->feedback;
     struct rhw_feedback_target targets[RANGES] = {{.offset = 0}};
-    int count = 0;
     if (!feedback->is_active || feedback->is_begun) {
         return;
     }
     for (int i = 0; i < RANGES; i++) {
         const struct vulkan_feedback_range *const range = &feedback->ranges[i];
+        targets[i] = (struct rhw_feedback_target){.memory = &feedback->no_room[i], .size = 1};
         if (range->buffer && range->buffer->bytes && range->written < range->size) {
             targets[i].memory = range->buffer->bytes + range->offset + range->written;
             targets[i].size = (size_t)(range->size - range->written);
-            count = i + 1;
         }
     }
-    if (count > 0) {
-        rhw_pass_begin_transform_feedback(replay->context, replay->pass.pass, targets, count);
-        feedback->is_begun = true;
-    }
+    rhw_pass_begin_transform_feedback(replay->context, replay->pass.pass, targets, RANGES);
+    feedback->is_begun = true;
 }
 
 void vulkan_feedback_suspend(struct vulkan_replay *replay)
@@ -91,9 +88,10 @@ struct counters_command {
 static void replay_begin(struct vulkan_replay *replay, const struct vulkan_command *command)
 {
     const struct counters_command *const begin = (const struct counters_command *)command;
+    const uint32_t whole = ~3u; // components have 4 bytes
     replay->feedback.is_active = true;
     for (int i = 0; i < RANGES; i++) {
-        replay->feedback.ranges[i].written = begin->counters[i] ? *begin->counters[i] : 0;
+        replay->feedback.ranges[i].written = begin->counters[i] ? *begin->counters[i] & whole : 0;
     }
 }
 
