@@ -15,18 +15,26 @@ static int count_components(const struct rhw_program *program)
     return count;
 }
 
-// Give an output a component, in a varying of its own where no fragment reads it. Return false if there is no room.
-static bool place_output(struct shader_bytecode *vertex_code, struct rhw_program *program, uint32_t slot)
+// Give an output a component where no fragment reads it: behind the component before it at its location, or else in a
+// varying of its own. Fragments read the first `read_count` varyings. Return false if there is no room.
+static bool place_output(struct shader_bytecode *vertex_code, struct rhw_program *program, int read_count,
+                         uint32_t slot)
 {
     uint8_t *const component = &vertex_code->component_of[slot - SHADER_OUT_VARYING];
     if (*component != NO_COMPONENT) {
         return true;
     }
     const int count = count_components(program);
-    if (program->varying_count == RHW_MAX_VARYINGS || count == RHW_MAX_VARYING_COMPONENTS) {
+    const bool goes_on = (slot - SHADER_OUT_VARYING) % 4 != 0 && program->varying_count > read_count &&
+                         component[-1] == count - 1;
+    if ((!goes_on && program->varying_count == RHW_MAX_VARYINGS) || count == RHW_MAX_VARYING_COMPONENTS) {
         return false;
     }
     *component = (uint8_t)count;
+    if (goes_on) {
+        program->varyings[program->varying_count - 1].components++;
+        return true;
+    }
     program->varyings[program->varying_count++] =
         (struct rhw_varying){.components = 1, .qualifier = RHW_FLAT};
     return true;
@@ -80,6 +88,7 @@ static bool add_output(struct rhw_shader_feedback *feedback, const struct rhw_fe
 bool shader_link_feedback(const struct shader_program *vertex, struct shader_bytecode *vertex_code,
                           struct rhw_program *program, struct rhw_shader_feedback *feedback, char *message)
 {
+    const int read_count = program->varying_count;
     for (uint32_t i = 0; i < vertex->capture_count; i++) {
         const struct shader_capture *const capture = &vertex->captures[i];
         for (uint32_t c = 0; c < capture->count; c++) {
@@ -87,15 +96,16 @@ bool shader_link_feedback(const struct shader_program *vertex, struct shader_byt
             if (!vertex->writes[slot]) {
                 continue; // what nothing writes has no value
             }
-            const bool is_placed = slot < SHADER_OUT_VARYING || place_output(vertex_code, program, slot);
+            const bool is_placed =
+                slot < SHADER_OUT_VARYING || place_output(vertex_code, program, read_count, slot);
             struct rhw_feedback_output output =
                 is_placed ? output_of(vertex_code, program, slot) : (struct rhw_feedback_output){.index = 0};
             output.target = (int)capture->buffer;
             output.offset = capture->offset + 4 * c;
             if (!is_placed || !add_output(feedback, &output)) {
                 shader_say(message,
-                           "transform feedback keeps more than %d outputs, or fragments and it read "
-                           "more than %d components",
+                           "transform feedback keeps more than %d outputs of the vertex shader, or "
+                           "fragments and it read more than %d components",
                            RHW_MAX_FEEDBACK_OUTPUTS, RHW_MAX_VARYING_COMPONENTS);
                 return false;
             }

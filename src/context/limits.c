@@ -69,8 +69,8 @@ struct rhw_limits rhw_limits_get(void)
         .max_transform_feedback_streams = 1,
         .max_transform_feedback_buffers = RHW_MAX_FEEDBACK_TARGETS,
         .max_transform_feedback_buffer_size = SIZE_MAX / 2,
-        .max_transform_feedback_stream_data_size = RHW_MAX_FEEDBACK_OUTPUTS * 4 * sizeof(float),
-        .max_transform_feedback_buffer_data_size = RHW_MAX_FEEDBACK_OUTPUTS * 4 * sizeof(float),
+        .max_transform_feedback_stream_data_size = RHW_MAX_VARYING_COMPONENTS * sizeof(float),
+        .max_transform_feedback_buffer_data_size = RHW_MAX_VARYING_COMPONENTS * sizeof(float),
         .max_transform_feedback_buffer_data_stride = UINT32_MAX - 3, // multiple of 4
         .max_per_stage_descriptor_storage_buffers = RHW_MAX_STORAGE_BUFFERS,
         .max_per_stage_descriptor_storage_images = RHW_MAX_STORAGE_IMAGES,

@@ -10,6 +10,7 @@
 #include "given_vert.h"
 #include "interface_frag.h"
 #include "interface_vert.h"
+#include "kept_many_vert.h"
 #include "places_frag.h"
 #include "places_sample_frag.h"
 #include "places_vert.h"
@@ -386,6 +387,29 @@ static void test_an_input_that_is_not_written_is_named(void **state)
     rhw_shader_destroy(fragment);
 }
 
+// Want an output of transform feedback at a place.
+static void expect_kept(const struct rhw_feedback_output *output, int target, uint32_t offset, int count)
+{
+    assert_int_equal(output->target, target);
+    assert_int_equal(output->offset, offset);
+    assert_int_equal(output->component_count, count);
+}
+
+static void test_many_components_are_kept(void **state)
+{
+    (void)state;
+    rhw_shader_program *const program =
+        spirv_link(SPIRV_CREATE(kept_many_vert, RHW_SHADER_VERTEX), NULL, NULL);
+    const struct rhw_shader_feedback *const kept = rhw_shader_program_get_feedback(program);
+    assert_int_equal(rhw_shader_program_get(program)->varying_count, 17);
+    assert_int_equal(kept->output_count, 17);
+    for (int i = 0; i < 16; i++) {
+        expect_kept(&kept->outputs[i], 0, 16 * (uint32_t)i, 4);
+    }
+    expect_kept(&kept->outputs[16], 1, 0, 4);
+    rhw_shader_program_destroy(program);
+}
+
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_varyings_keep_their_qualifiers),
     cmocka_unit_test(test_inputs_are_taken_at_other_places),
@@ -394,6 +418,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_attachments_are_read_at_the_pixel),
     cmocka_unit_test(test_second_source_blends),
     cmocka_unit_test(test_an_input_that_is_not_written_is_named),
+    cmocka_unit_test(test_many_components_are_kept),
 };
 
 const struct unit_tests test_spirv_interface = UNIT_TESTS(tests, NULL, NULL);
