@@ -73,6 +73,7 @@ struct interface_walk {
     const struct shader_variable *variable;
     uint32_t *scalars; // what the variable holds
     uint32_t next;     // scalar
+    uint32_t blocks;   // blocks of an array that have been walked
     bool is_captured;
     uint32_t buffer, offset; // where transform feedback keeps the next scalar
 };
@@ -239,10 +240,10 @@ static void add_components(struct interface_walk *walk, const struct shader_type
 static uint32_t add_located(struct interface_walk *walk, const struct shader_type *type, uint32_t location,
                             uint32_t component, uint8_t interpolation)
 {
-    switch (type->kind) {
     if (type->is_empty) {
         return location; // arrays of it may have any number of elements
     }
+    switch (type->kind) {
     case SHADER_MATRIX:
     case SHADER_ARRAY:
         for (uint32_t i = 0; i < type->count; i++) {
@@ -266,33 +267,85 @@ static uint32_t add_located(struct interface_walk *walk, const struct shader_typ
     }
 }
 
-// Return the value of a decoration of a variable or of a member of its block (`member` is -1 without one), or `none`.
-static uint32_t decorated(const struct interface_walk *walk, int member, enum spirv_decoration number,
-                          uint32_t none)
+// Return the value of a decoration of a member of a block (NULL: there is none), or of the variable, or `none`.
+static uint32_t decorated(const struct interface_walk *walk, const struct shader_type *block, int member,
+                          enum spirv_decoration number, uint32_t none)
 {
-    const struct shader_variable *const variable = walk->variable;
     const struct shader_module *const module = walk->builder->module;
     const struct shader_decoration *found =
-        member < 0 ? NULL : shader_find_decoration(module, variable->type->id, member, number);
-    found = found ? found : shader_find_decoration(module, variable->id, -1, number);
+        block ? shader_find_decoration(module, block->id, member, number) : NULL;
+    found = found ? found : shader_find_decoration(module, walk->variable->id, -1, number);
     return found ? found->value : none;
 }
 
 // Find out whether transform feedback keeps an output of vertices, and where (SPIR-V, XfbBuffer, XfbStride, Offset).
-static void find_capture(struct interface_walk *walk, int member)
+// Each block of an array goes to the buffer behind that of the one before, as in GLSL.
+static void find_capture(struct interface_walk *walk, const struct shader_type *block, int member)
 {
     struct shader_builder *const builder = walk->builder;
-    walk->buffer = decorated(walk, member, SPIRV_XFB_BUFFER, UINT32_MAX);
-    walk->offset = decorated(walk, member, SPIRV_OFFSET, UINT32_MAX);
+    walk->buffer = decorated(walk, block, member, SPIRV_XFB_BUFFER, UINT32_MAX);
+    walk->offset = decorated(walk, block, member, SPIRV_OFFSET, UINT32_MAX);
     walk->is_captured = walk->variable->storage == SPIRV_OUTPUT && builder->entry->model == SPIRV_VERTEX &&
                         walk->buffer != UINT32_MAX && walk->offset != UINT32_MAX;
+    walk->buffer = walk->buffer > INT32_MAX ? walk->buffer : walk->buffer + walk->blocks;
     if (walk->is_captured && (walk->buffer >= SHADER_MAX_CAPTURE_BUFFERS || walk->offset > INT32_MAX)) {
         shader_build_refuse(builder, "transform feedback has %d buffers, and offsets below 2^31",
                             SHADER_MAX_CAPTURE_BUFFERS);
     }
     if (walk->is_captured) {
-        builder->program->strides[walk->buffer] = decorated(walk, member, SPIRV_XFB_STRIDE, 0);
+        builder->program->strides[walk->buffer] = decorated(walk, block, member, SPIRV_XFB_STRIDE, 0);
     }
+}
+
+// Give the members of a block their slots.
+static void add_block(struct interface_walk *walk, const struct shader_type *type)
+{
+    const struct shader_variable *const variable = walk->variable;
+    uint32_t location = variable->location < 0 ? 0 : (uint32_t)variable->location;
+    for (uint32_t i = 0; i < type->count; i++) {
+        const struct shader_member *const member = &type->members[i];
+        find_capture(walk, type, (int)i);
+        if (member->built_in >= 0) {
+            add_built_in(walk, member->type, member->built_in);
+            continue;
+        }
+        location = member->location < 0 ? location : (uint32_t)member->location;
+        const uint8_t own = member->interpolation;
+        location = add_located(walk, member->type, location, (uint32_t)member->component,
+                               own ? own : variable->interpolation);
+    }
+}
+
+// Give the members of an array of blocks their slots from a location on. Their own locations do not count, since each
+// block has others. Return the location behind.
+static uint32_t add_blocks(struct interface_walk *walk, const struct shader_type *type, uint32_t location)
+{
+    if (type->is_empty) {
+        return location; // arrays of it may have any number of elements
+    }
+    if (type->kind == SHADER_ARRAY) {
+        for (uint32_t i = 0; i < type->count; i++) {
+            location = add_blocks(walk, type->element, location);
+        }
+        return location;
+    }
+    for (uint32_t i = 0; i < type->count; i++) {
+        const uint8_t own = type->members[i].interpolation;
+        find_capture(walk, type, (int)i);
+        location =
+            add_located(walk, type->members[i].type, location, 0, own ? own : walk->variable->interpolation);
+    }
+    walk->blocks++;
+    return location;
+}
+
+static bool is_array_of_blocks(const struct shader_type *type)
+{
+    const struct shader_type *element = type;
+    while (element->kind == SHADER_ARRAY) {
+        element = element->element;
+    }
+    return element != type && element->kind == SHADER_STRUCT && element->is_block;
 }
 
 void shader_build_interface_variable(struct shader_builder *builder, const struct shader_variable *variable,
@@ -308,23 +361,13 @@ void shader_build_interface_variable(struct shader_builder *builder, const struc
     }
     struct interface_walk walk = {
         .builder = builder, .variable = variable, .scalars = shader_new_scalars(builder, type)};
-    find_capture(&walk, -1);
+    find_capture(&walk, NULL, -1);
     if (variable->built_in >= 0) {
         add_built_in(&walk, type, variable->built_in);
     } else if (type->kind == SHADER_STRUCT && type->is_block) {
-        uint32_t location = variable->location < 0 ? 0 : (uint32_t)variable->location;
-        for (uint32_t i = 0; i < type->count; i++) {
-            const struct shader_member *const member = &type->members[i];
-            find_capture(&walk, (int)i);
-            if (member->built_in >= 0) {
-                add_built_in(&walk, member->type, member->built_in);
-                continue;
-            }
-            location = member->location < 0 ? location : (uint32_t)member->location;
-            const uint8_t own = member->interpolation;
-            location = add_located(&walk, member->type, location, (uint32_t)member->component,
-                                   own ? own : variable->interpolation);
-        }
+        add_block(&walk, type);
+    } else if (variable->location >= 0 && is_array_of_blocks(type)) {
+        (void)add_blocks(&walk, type, (uint32_t)variable->location);
     } else if (variable->location >= 0) {
         (void)add_located(&walk, type, (uint32_t)variable->location,
                           variable->component < 0 ? 0 : (uint32_t)variable->component,

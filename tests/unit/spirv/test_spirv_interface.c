@@ -10,6 +10,7 @@
 #include "given_vert.h"
 #include "interface_frag.h"
 #include "interface_vert.h"
+#include "kept_blocks_vert.h"
 #include "kept_many_vert.h"
 #include "places_frag.h"
 #include "places_sample_frag.h"
@@ -410,6 +411,21 @@ static void test_many_components_are_kept(void **state)
     rhw_shader_program_destroy(program);
 }
 
+static void test_blocks_of_an_array_are_kept_apart(void **state)
+{
+    (void)state;
+    rhw_shader_program *const program =
+        spirv_link(SPIRV_CREATE(kept_blocks_vert, RHW_SHADER_VERTEX), NULL, NULL);
+    const struct rhw_shader_feedback *const kept = rhw_shader_program_get_feedback(program);
+    assert_int_equal(kept->output_count, 4);
+    for (int i = 0; i < 2; i++) {
+        expect_kept(&kept->outputs[2 * i], i + 1, 0, 4);
+        expect_kept(&kept->outputs[2 * i + 1], i + 1, 20, 1);
+        assert_int_equal(kept->strides[i + 1], 32);
+    }
+    rhw_shader_program_destroy(program);
+}
+
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_varyings_keep_their_qualifiers),
     cmocka_unit_test(test_inputs_are_taken_at_other_places),
@@ -419,6 +435,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_second_source_blends),
     cmocka_unit_test(test_an_input_that_is_not_written_is_named),
     cmocka_unit_test(test_many_components_are_kept),
+    cmocka_unit_test(test_blocks_of_an_array_are_kept_apart),
 };
 
 const struct unit_tests test_spirv_interface = UNIT_TESTS(tests, NULL, NULL);
