@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What extensions add to draws, samplers and shaders, which OpenGL has and Mesa's Zink asks for.
+#include <stdlib.h>
 #include <string.h>
 
 #include "border_frag.h"
@@ -421,6 +422,48 @@ static void vertices_are_kept(void **state)
     rig_close(&d.rig);
 }
 
+// A command buffer that does not end its transform feedback leaves the next one alone, which is of the same submission.
+static void feedback_stays_in_its_commands(void **state)
+{
+    (void)state;
+    if (getenv("RHW_TEST_VALIDATION")) {
+        skip(); // the layer tells the misuse
+    }
+    struct drawing d;
+    struct feedback f;
+    open_drawing(&d);
+    find_feedback(&d.rig, &f);
+    const struct rig_buffer positions = rig_buffer(&d.rig, 6 * 16, NULL),
+                            others = rig_buffer(&d.rig, 6 * sizeof(struct kept), NULL);
+    const VkBuffer buffers[2] = {positions.buffer, others.buffer};
+    const float(*const at)[4] = positions.bytes;
+    const VkCommandBufferAllocateInfo info = {.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO,
+                                              .commandPool = d.rig.pool,
+                                              .commandBufferCount = 1};
+    const VkCommandBufferBeginInfo begin = {.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO};
+    VkCommandBuffer commands[2] = {d.rig.commands};
+    CHECK(vkAllocateCommandBuffers(d.rig.device, &info, &commands[1]));
+    CHECK(vkBeginCommandBuffer(commands[1], &begin));
+    d.state.stages[0].module = rig_shader(&d.rig, kept_vert, sizeof kept_vert);
+    for (int i = 0; i < 2; i++) {
+        d.rig.commands = commands[i];
+        begin_drawing(&d, whole, sizeof whole);
+        if (i == 0) {
+            f.bind(commands[i], 0, 2, buffers, (const VkDeviceSize[2]){0}, NULL);
+            f.begin(commands[i], 0, 0, NULL, NULL);
+        }
+        vkCmdDraw(commands[i], 3, 1, 0, 0);
+        vkCmdEndRenderPass(commands[i]);
+        CHECK(vkEndCommandBuffer(commands[i]));
+    }
+    const VkSubmitInfo submit = {
+        .sType = VK_STRUCTURE_TYPE_SUBMIT_INFO, .commandBufferCount = 2, .pCommandBuffers = commands};
+    CHECK(vkQueueSubmit(d.rig.queue, 1, &submit, VK_NULL_HANDLE));
+    CHECK(vkQueueWaitIdle(d.rig.queue));
+    assert_true(at[2][3] == 1 && at[3][3] == 0);
+    rig_close(&d.rig);
+}
+
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(the_last_vertex_may_provoke),
     cmocka_unit_test(instances_share_elements),
@@ -432,6 +475,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(members_stand_close_together),
     cmocka_unit_test(shaders_read_numbers_of_the_draw),
     cmocka_unit_test(vertices_are_kept),
+    cmocka_unit_test(feedback_stays_in_its_commands),
 };
 
 const struct unit_tests test_vulkan_extensions = UNIT_TESTS(tests, NULL, NULL);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "replay.h"
 
+#include "query.h"
+
 #include <stdlib.h>
 #include <string.h>
 
@@ -112,6 +114,14 @@ void vulkan_command_list_replay(const struct vulkan_command_list *list, struct v
     }
 }
 
+// Forget what a command buffer has bound and begun: the next one knows nothing of it.
+static void begin_buffer(struct vulkan_replay *replay)
+{
+    vulkan_feedback_suspend(replay);
+    memset(&replay->feedback, 0, sizeof replay->feedback);
+    memset(&replay->bound, 0, sizeof replay->bound);
+}
+
 VkResult vulkan_replay_buffers(VkQueue queue, const VkCommandBuffer *buffers, uint32_t count)
 {
     struct vulkan_replay *const replay = calloc(1, sizeof *replay);
@@ -122,7 +132,9 @@ VkResult vulkan_replay_buffers(VkQueue queue, const VkCommandBuffer *buffers, ui
     replay->queue = queue;
     replay->context = queue->context;
     for (uint32_t i = 0; i < count && replay->result == VK_SUCCESS; i++) {
-        memset(&replay->bound, 0, sizeof replay->bound);
+        vulkan_query_suspend(replay);
+        memset(replay->active, 0, sizeof replay->active);
+        begin_buffer(replay);
         vulkan_command_list_replay(&buffers[i]->list, replay);
     }
     if (replay->pass.is_open) {
@@ -143,10 +155,10 @@ static void replay_execute(struct vulkan_replay *replay, const struct vulkan_com
 {
     const struct execute_command *const execute = (const struct execute_command *)command;
     for (uint32_t i = 0; i < execute->count; i++) {
-        memset(&replay->bound, 0, sizeof replay->bound);
+        begin_buffer(replay);
         vulkan_command_list_replay(&execute->buffers[i]->list, replay);
     }
-    memset(&replay->bound, 0, sizeof replay->bound);
+    begin_buffer(replay);
 }
 
 VKAPI_ATTR void VKAPI_CALL vkCmdExecuteCommands(VkCommandBuffer buffer, uint32_t count,
