@@ -264,6 +264,8 @@ static void what_is_left_out_is_told(void **state)
     const struct rig *const rig = &m.rig;
     const VkRenderPass pass = create_pass(&m, 1);
     const struct rig_buffer small = rig_buffer(&m.rig, 16, NULL);
+    const PFN_vkCmdDrawIndirectByteCountEXT draw_counted =
+        (PFN_vkCmdDrawIndirectByteCountEXT)vkGetDeviceProcAddr(rig->device, "vkCmdDrawIndirectByteCountEXT");
     const VkRenderPassBeginInfo begin = {.sType = VK_STRUCTURE_TYPE_RENDER_PASS_BEGIN_INFO,
                                          .renderPass = pass,
                                          .framebuffer =
@@ -284,6 +286,8 @@ static void what_is_left_out_is_told(void **state)
                       picture_pipeline(&m.picture, &m.state, pass, 0));
     vkCmdDrawIndexed(rig->commands, 3, 1, 0, 0, 0);
     vkCmdDrawIndirect(rig->commands, small.buffer, 8, 1, 0);
+    draw_counted(rig->commands, 1, 0, small.buffer, 0, 0, 0);
+    draw_counted(rig->commands, 1, 0, small.buffer, 16, 0, 4);
     vkCmdEndRenderPass(rig->commands);
     rig_run(&m.rig);
     static const char *const parts[] = {"vkCmdCopyBuffer: 8 bytes of 16 lie within the buffers",
@@ -293,7 +297,9 @@ static void what_is_left_out_is_told(void **state)
                                         "a draw is left out: no render pass has begun",
                                         "a draw is left out: no pipeline is bound",
                                         "all indices are zeros: no buffer is bound",
-                                        "an indirect draw at 8 is left out"};
+                                        "an indirect draw at 8 is left out",
+                                        "a draw is left out, whose vertices have a stride of 0",
+                                        "a draw is left out, whose counter lies behind its buffer"};
     char text[4096];
     read_log(text, sizeof text);
     for (size_t i = 0; i < sizeof parts / sizeof *parts; i++) {

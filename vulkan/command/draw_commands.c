@@ -340,9 +340,12 @@ static void replay_draw_counted(struct vulkan_replay *replay, const struct vulka
 {
     const struct draw_counted *const record = (const struct draw_counted *)command;
     uint32_t bytes;
-    if (vulkan_buffer_range(record->buffer, record->offset, VK_WHOLE_SIZE) < sizeof bytes ||
-        record->stride == 0) {
+    if (vulkan_buffer_range(record->buffer, record->offset, VK_WHOLE_SIZE) < sizeof bytes) {
         vulkan_log("vkCmdDrawIndirectByteCountEXT: a draw is left out, whose counter lies behind its buffer");
+        return;
+    }
+    if (record->stride == 0) {
+        vulkan_log("vkCmdDrawIndirectByteCountEXT: a draw is left out, whose vertices have a stride of 0");
         return;
     }
     memcpy(&bytes, record->buffer->bytes + record->offset, sizeof bytes);

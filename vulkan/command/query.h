@@ -7,8 +7,8 @@
 #include "device/device.h"
 
 struct vulkan_query {
-    uint64_t
-        values[2]; ///< the second one is of transform feedback: primitives that enough room would have held
+    /// The second one is of transform feedback: primitives that enough room would have held.
+    uint64_t values[2];
     bool is_available;
 };
 

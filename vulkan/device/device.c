@@ -15,9 +15,11 @@ void vulkan_log(const char *format, ...)
     if (getenv("RHW_VULKAN_LOG")) {
         va_list list;
         va_start(list, format);
+        flockfile(stderr); // threads do not mix their lines
         fputs("rhw vulkan: ", stderr);
         vfprintf(stderr, format, list);
         fputc('\n', stderr);
+        funlockfile(stderr);
         va_end(list);
     }
 }

@@ -79,7 +79,7 @@ static void set_vertices(VkPhysicalDeviceLimits *limits, const struct rhw_limits
     limits->maxVertexOutputComponents = rhw->max_vertex_output_components;
     limits->maxFragmentInputComponents = rhw->max_fragment_input_components;
     limits->maxDrawIndexedIndexValue = UINT32_MAX;
-    limits->maxDrawIndirectCount = UINT32_MAX;
+    limits->maxDrawIndirectCount = 1 << 20; // a draw whose shaders read its number keeps 320 bytes
     limits->maxClipDistances = rhw->max_clip_distances;
     limits->maxCullDistances = rhw->max_cull_distances;
     limits->maxCombinedClipAndCullDistances = rhw->max_combined_clip_and_cull_distances;
