@@ -4,14 +4,23 @@
 #include "assimp.h"
 #include "import/builder/text_lines.h"
 
+#include <ctype.h>
+#include <stdlib.h>
 #include <string.h>
 #include <strings.h>
 
 enum { VERTICES, COORDINATES, COLORS, LISTS };
 
+// The numbers of the faces that are there: those whose marks are that of the mesh.
+struct numbers {
+    uint32_t *marks, mesh;
+    size_t capacity, most; // there are fewer faces than bytes in the file
+};
+
 // What faces refer to: how many there are, the greatest index of a face, and how many faces are said to be and are.
 struct list {
     const char *name;
+    struct numbers numbers;
     double count, worst, face;
     double said, faces;
     unsigned line;
@@ -19,20 +28,19 @@ struct list {
     bool is_begun; // assimp reads faces in their list alone
 };
 
-// Refuse the file if a face refers to what is not there, or is not there itself. `faces` are those of the mesh, or 0
-// for the list of these.
-static void check(struct scene_import *import, const struct list *list, double faces)
+// Refuse the file if a face refers to what is not there, or is not there itself. `faces` are those that the mesh should
+// have, by its list of vertices.
+static void check(struct scene_import *import, const struct list *list, bool is_vertices, double faces)
 {
-    const double given = list->said < list->faces ? list->said : list->faces;
     if (list->line > 0 && !(list->worst >= 0 && list->worst < list->count)) {
         scene_import_fail(import, "line %u: face %.0f refers to %s %.0f; the mesh has %.0f, counted from 0",
                           list->line, list->face, list->name, list->worst, list->count);
     }
-    if (list->said > list->faces && faces == 0) {
-        scene_import_fail(import, "a mesh should have %.0f faces and has %.0f", list->said, list->faces);
+    if (is_vertices && list->faces < faces) {
+        scene_import_fail(import, "a mesh should have %.0f faces and has %.0f", faces, list->faces);
     }
-    if (list->count > 0 && given < faces) {
-        scene_import_fail(import, "a mesh has %.0f faces, of which %.0f say their %ss", faces, given,
+    if (!is_vertices && list->count > 0 && list->faces < faces) {
+        scene_import_fail(import, "a mesh has %.0f faces, of which %.0f say their %ss", faces, list->faces,
                           list->name);
     }
 }
@@ -42,9 +50,27 @@ static void end_mesh(struct scene_import *import, struct list lists[LISTS], int 
 {
     const double faces = lists[VERTICES].said;
     for (int i = last; i >= first; i--) {
-        check(import, &lists[i], i == VERTICES ? 0 : faces);
-        lists[i] = (struct list){.name = lists[i].name};
+        check(import, &lists[i], i == VERTICES, faces);
+        lists[i] = (struct list){.name = lists[i].name, .numbers = lists[i].numbers};
+        lists[i].numbers.mesh++;
     }
+}
+
+// Take a face for one that is there, or for none. assimp leaves out one whose number is not below that of all faces.
+static void mark_face(struct scene_import *import, struct list *list, uint32_t face, bool is_there)
+{
+    struct numbers *const numbers = &list->numbers;
+    const size_t before = numbers->capacity;
+    if (!(face < list->said) || face >= numbers->most) {
+        return;
+    }
+    scene_import_reserve(import, &numbers->marks, &numbers->capacity, (size_t)face + 1,
+                         sizeof *numbers->marks);
+    memset(numbers->marks + before, 0, (numbers->capacity - before) * sizeof *numbers->marks);
+    if (is_there != (numbers->marks[face] == numbers->mesh)) {
+        list->faces += is_there ? 1 : -1;
+    }
+    numbers->marks[face] = is_there ? numbers->mesh : 0;
 }
 
 static bool is_worse(const struct list *list, double index)
@@ -53,52 +79,73 @@ static bool is_worse(const struct list *list, double index)
     return is_good && (index > list->worst || !(index >= 0) || list->line == 0);
 }
 
+// Return the next letter of a line, or 0 at its end.
+static char next_letter(struct scene_line *line)
+{
+    while (line->cursor < line->end && (*line->cursor == ' ' || *line->cursor == '\t')) {
+        line->cursor++;
+    }
+    return line->cursor < line->end ? *line->cursor : 0;
+}
+
+// Pass a letter, in any case, if it is the next. Return false if it is not.
+static bool pass_letter(struct scene_line *line, char letter)
+{
+    const bool is_next = toupper((unsigned char)next_letter(line)) == letter;
+    line->cursor += is_next;
+    return is_next;
+}
+
+// Read the next digits as assimp does, to 32 bits. Return false if there are none.
+static bool read_digits(struct scene_line *line, uint32_t *number)
+{
+    const bool has_some = isdigit((unsigned char)next_letter(line));
+    *number = 0;
+    while (line->cursor < line->end && isdigit((unsigned char)*line->cursor)) {
+        *number = 10 * *number + (uint32_t)(*line->cursor++ - '0');
+    }
+    return has_some;
+}
+
 // Read what a corner refers to. Before it stands A:, B: or C: where faces name their corners. Return false if it is not
 // there, or if the corner is one of `named`, to which it is added.
 static bool read_corner(struct scene_line *line, bool has_names, unsigned *named, double *index)
 {
-    struct scene_word word;
-    size_t length;
-    if (!scene_text_word(line, &word)) {
-        return false;
-    }
+    uint32_t number;
     if (has_names) {
-        const unsigned name = word.length >= 2 && word.start[1] == ':' ? (unsigned)word.start[0] - 'A' : 3;
-        if (name >= 3 || (*named >> name & 1) != 0) {
+        const int name = pass_letter(line, 'A')   ? 0
+                         : pass_letter(line, 'B') ? 1
+                         : pass_letter(line, 'C') ? 2
+                                                  : 3;
+        if (name == 3 || (*named >> name & 1) != 0 || !pass_letter(line, ':')) {
             return false;
         }
         *named |= 1u << name;
-        word = (struct scene_word){word.start + 2, word.length - 2};
-        if (word.length == 0 && !scene_text_word(line, &word)) {
-            return false;
-        }
     }
-    return scene_word_number(word, index, &length) && length == word.length;
+    const bool is_negative = pass_letter(line, '-'), is_there = read_digits(line, &number);
+    *index = is_negative ? -(double)number : number;
+    return is_there;
 }
 
 // Read the corners of a face: its number, and three numbers behind it. assimp takes what is in its memory for corners
 // that are not there, so a face without them is none.
-static void read_face(struct list *list, struct scene_line line, unsigned number, bool has_names)
+static void read_face(struct scene_import *import, struct list *list, struct scene_line line, unsigned number,
+                      bool has_names)
 {
-    struct scene_word word;
-    double face = 0, index;
+    uint32_t face;
+    double index;
     unsigned named = 0;
-    size_t length;
-    const bool has_number = scene_text_word(&line, &word) && scene_word_number(word, &face, &length);
-    if (!has_number || (length != word.length && (length + 1 != word.length || word.start[length] != ':'))) {
-        return;
-    }
-    for (int corner = 0; corner < 3; corner++) {
-        if (!read_corner(&line, has_names, &named, &index)) {
-            return;
-        }
-        if (is_worse(list, index)) {
+    bool is_there = read_digits(&line, &face);
+    pass_letter(&line, ':');
+    for (int corner = 0; corner < 3 && is_there; corner++) {
+        is_there = read_corner(&line, has_names, &named, &index);
+        if (is_there && is_worse(list, index)) {
             list->worst = index;
             list->face = face;
             list->line = number;
         }
     }
-    list->faces += face == list->faces; // a face that stands twice leaves out another
+    mark_face(import, list, face, is_there);
 }
 
 // Read a number of a mesh. assimp makes room by the one that stands before the list, and one more might be another.
@@ -137,7 +184,7 @@ static void read_line(struct scene_import *import, struct list lists[LISTS], str
         } else if (scene_word_is(word, begins[i])) {
             lists[i].is_begun = true;
         } else if (lists[i].is_begun && scene_word_is(word, faces[i])) {
-            read_face(&lists[i], line, number, i == VERTICES);
+            read_face(import, &lists[i], line, number, i == VERTICES);
         }
     }
 }
@@ -178,8 +225,14 @@ void scene_assimp_look_at_ase(struct scene_import *import, char *bytes, size_t s
     struct scene_text text = scene_text_open(import, bytes, size);
     struct list lists[LISTS] = {{.name = "vertex"}, {.name = "texture coordinate"}, {.name = "colour"}};
     struct scene_line line;
+    for (int i = 0; i < LISTS; i++) {
+        lists[i].numbers = (struct numbers){.mesh = 1, .most = size};
+    }
     while (scene_text_line(&text, false, &line)) {
         read_parts(import, lists, line, text.line);
     }
     end_mesh(import, lists, VERTICES, COLORS);
+    for (int i = 0; i < LISTS; i++) {
+        free(lists[i].numbers.marks);
+    }
 }

@@ -3,6 +3,7 @@
 #include "model_files.h"
 
 #include <stdio.h>
+#include <inttypes.h>
 #include <string.h>
 
 #define SECTION(name, pairs) "0\nSECTION\n2\n" name "\n" pairs "0\nENDSEC\n"
@@ -566,6 +567,47 @@ static void test_ase(void **state)
     }
 }
 
+// Faces of an ASE as programs write them: in either case, with blanks or without, and in any order. One that stands
+// twice counts once, as it stands last.
+static void test_ase_faces(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *faces, *cause;
+    } cases[] = {
+        {"*MESH_FACE 0:A:0 B:1 C:2\n*MESH_FACE 1: A:0B:1C:2", NULL},
+        {"*MESH_FACE 0 : A: 0 B: 1 C: 2\n*MESH_FACE 1 A : 0 B : 1 C : 2", NULL},
+        {"*MESH_FACE 0: a: 0 b: 1 c: 2\n*MESH_FACE\t1:\tc:0\ta:1\tb:2", NULL},
+        {"*MESH_FACE 1: A: 0 B: 1 C: 2\n*MESH_FACE 0: A: 0 B: 1 C: 2", NULL},
+        {"*MESH_FACE 1: A: 0 B: 1 C: 2\n*MESH_FACE 1: A: 0 B: 1 C: 2",
+         "a mesh should have 2 faces and has 1"},
+        {"*MESH_FACE 0: A: 0 B: 1 C: 2\n*MESH_FACE 2: A: 0 B: 1 C: 2",
+         "a mesh should have 2 faces and has 1"},
+        {"*MESH_FACE 0: A: 0 B: 1 C: 2\n*MESH_FACE 1: A: 0 B: 1 C: 2\n*MESH_FACE 0: A: 0",
+         "a mesh should have 2 faces and has 1"},
+        {"*MESH_FACE 0: A: 0\n*MESH_FACE 0: A: 0 B: 1 C: 2\n*MESH_FACE 1: A: 0 B: 1 C: 2", NULL},
+        {"*MESH_FACE 0: A: 0 B: 1 C: 2\n*MESH_FACE 1: A 0 B: 1 C: 2", "a mesh should have 2 faces and has 1"},
+        {"*MESH_FACE 0:A:0 B:1 C:2\n*MESH_FACE 1:A:0 B:1 C:3",
+         "line 14: face 1 refers to vertex 3; the mesh has 3, counted from 0"},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        write_format("f.ase",
+                     "*3DSMAX_ASCIIEXPORT 200\n*GEOMOBJECT {\n*NODE_NAME \"a\"\n*MESH {\n*MESH_NUMVERTEX 3\n"
+                     "*MESH_NUMFACES 2\n*MESH_VERTEX_LIST {\n*MESH_VERTEX 0 0 0 0\n*MESH_VERTEX 1 1 0 0\n"
+                     "*MESH_VERTEX 2 0 1 0\n}\n*MESH_FACE_LIST {\n%s\n}\n}\n}\n",
+                     cases[i].faces);
+        if (cases[i].cause != NULL) {
+            expect_refused("f.ase", cases[i].cause);
+            continue;
+        }
+        struct scene_model *const model = load("f.ase");
+        if (model->triangles_drawn != 2) {
+            fail_msg("case %zu: %" PRIu64 " triangles", i, (uint64_t)model->triangles_drawn);
+        }
+        scene_model_free(model);
+    }
+}
+
 // A mesh of an AMF that says nothing of colours is grey, as all that is not described.
 static void test_no_colors(void **state)
 {
@@ -728,23 +770,15 @@ static void test_warnings(void **state)
 }
 
 static const struct CMUnitTest tests[] = {
-    cmocka_unit_test(test_warnings),
-    cmocka_unit_test(test_vertices),
-    cmocka_unit_test(test_ase),
-    cmocka_unit_test(test_gamestudio),
-    cmocka_unit_test(test_no_colors),
-    cmocka_unit_test(test_materials),
-    cmocka_unit_test(test_texts),
-    cmocka_unit_test(test_entities),
-    cmocka_unit_test(test_drawings),
-    cmocka_unit_test(test_schema),
-    cmocka_unit_test(test_meshes_without_faces),
-    cmocka_unit_test(test_log),
-    cmocka_unit_test(test_textures),
-    cmocka_unit_test(test_collada),
-    cmocka_unit_test(test_words),
-    cmocka_unit_test(test_frames),
-    cmocka_unit_test(test_cameras_and_lights),
+    cmocka_unit_test(test_warnings),   cmocka_unit_test(test_vertices),
+    cmocka_unit_test(test_ase),        cmocka_unit_test(test_ase_faces),
+    cmocka_unit_test(test_gamestudio), cmocka_unit_test(test_no_colors),
+    cmocka_unit_test(test_materials),  cmocka_unit_test(test_texts),
+    cmocka_unit_test(test_entities),   cmocka_unit_test(test_drawings),
+    cmocka_unit_test(test_schema),     cmocka_unit_test(test_meshes_without_faces),
+    cmocka_unit_test(test_log),        cmocka_unit_test(test_textures),
+    cmocka_unit_test(test_collada),    cmocka_unit_test(test_words),
+    cmocka_unit_test(test_frames),     cmocka_unit_test(test_cameras_and_lights),
 };
 
 const struct unit_tests test_gaps = UNIT_TESTS(tests, make_directory, remove_directory);
