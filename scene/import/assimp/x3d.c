@@ -178,7 +178,7 @@ static bool write_metadata(struct scene_import *import, struct scene_edits *edit
 static char *write_tags(struct scene_import *import, char *text, size_t *size)
 {
     struct scene_edits edits = {0};
-    bool has_quads = false;
+    struct scene_x3d_quads quads = {0};
     char *close;
     for (char *tag = strchr(text, '<'); tag != NULL; tag = strchr(close, '<')) {
         close = scene_collada_markup_end(tag, text + *size);
@@ -188,11 +188,12 @@ static char *write_tags(struct scene_import *import, char *text, size_t *size)
         if (strncmp(tag, "<!---->", 7) == 0) { // a comment that assimp takes for a node
             scene_edits_add_string(import, &edits, (size_t)(tag + 4 - text), 0, FILLER);
         } else if (!write_metadata(import, &edits, text, tag, close) &&
-                   !scene_assimp_write_quads(import, &edits, &has_quads, text, tag, close, text + *size) &&
+                   !scene_assimp_write_quads(import, &edits, &quads, text, tag, close, text + *size) &&
                    !write_group(import, &edits, text, tag, close)) {
             write_address(import, &edits, text, tag, close);
         }
     }
+    scene_assimp_free_quads(&quads);
     char *const written = scene_edits_apply(import, &edits, text, size);
     if (written == NULL) {
         return text;

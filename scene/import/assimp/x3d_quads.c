@@ -80,13 +80,55 @@ static size_t count_points(char *close, const char *end)
     return 0;
 }
 
-static void rename_tag(struct scene_import *import, struct scene_edits *edits, size_t at, const char *name)
+// Return true if a set of a name was written.
+static bool has_name(const struct scene_x3d_quads *quads, struct scene_collada_value name)
 {
-    scene_edits_add_string(import, edits, at, strlen(name), FACES);
+    size_t place = SIZE_MAX;
+    const uint32_t hash = scene_hash_bytes(name.text, name.length);
+    for (uint32_t i = scene_hash_next(&quads->places, hash, &place); i != UINT32_MAX;
+         i = scene_hash_next(&quads->places, hash, &place)) {
+        if (quads->names[i].length == name.length &&
+            memcmp(quads->names[i].text, name.text, name.length) == 0) {
+            return true;
+        }
+    }
+    return false;
 }
 
-bool scene_assimp_write_quads(struct scene_import *import, struct scene_edits *edits, bool *is_open,
-                              const char *text, char *tag, char *close, const char *end)
+static void add_name(struct scene_import *import, struct scene_x3d_quads *quads,
+                     struct scene_collada_value name)
+{
+    if (name.text != NULL && !has_name(quads, name)) {
+        scene_import_reserve(import, &quads->names, &quads->capacity, quads->count + 1, sizeof *quads->names);
+        scene_hash_add(import, &quads->places, scene_hash_bytes(name.text, name.length),
+                       (uint32_t)quads->count);
+        quads->names[quads->count++] = name;
+    }
+}
+
+// Return the first tag of a set as that of a set of faces. Return NULL if it cannot be written so.
+static char *write_start(struct scene_import *import, struct scene_x3d_quads *quads, bool has_index,
+                         char *tag, char *close, const char *end)
+{
+    const struct scene_collada_value use = scene_collada_attribute(tag, close, "USE");
+    if (use.text != NULL) {
+        return has_name(quads, use) ? strcpy(scene_import_allocate(import, sizeof FACES, 1), FACES) : NULL;
+    }
+    const struct scene_collada_value index =
+        has_index ? scene_collada_attribute(tag, close, "index") : (struct scene_collada_value){NULL, 0};
+    const size_t count = !has_index           ? count_points(close, end)
+                         : index.text == NULL ? 0
+                                              : count_numbers(index);
+    if (count < 4) {
+        return NULL;
+    }
+    add_name(import, quads, scene_collada_attribute(tag, close, "DEF"));
+    return write_faces(import, index, count);
+}
+
+bool scene_assimp_write_quads(struct scene_import *import, struct scene_edits *edits,
+                              struct scene_x3d_quads *quads, const char *text, char *tag, char *close,
+                              const char *end)
 {
     static const char *const names[] = {"QuadSet", "IndexedQuadSet"};
     const bool is_end = tag[1] == '/';
@@ -95,23 +137,25 @@ bool scene_assimp_write_quads(struct scene_import *import, struct scene_edits *e
         return false;
     }
     const size_t at = (size_t)(tag + is_end + 1 - text);
-    if (is_end || scene_collada_attribute(tag, close, "USE").text != NULL) {
-        if (!is_end || *is_open) {
-            rename_tag(import, edits, at, names[which]);
+    if (is_end) {
+        if (quads->is_open) {
+            scene_edits_add_string(import, edits, at, strlen(names[which]), FACES);
         }
         return true;
     }
-    const struct scene_collada_value index =
-        which == 1 ? scene_collada_attribute(tag, close, "index") : (struct scene_collada_value){NULL, 0};
-    const size_t count = which == 0           ? count_points(close, end)
-                         : index.text == NULL ? 0
-                                              : count_numbers(index);
-    *is_open = count >= 4;
-    if (!*is_open) {
+    char *const written = write_start(import, quads, which == 1, tag, close, end);
+    quads->is_open = close[-1] == '/' ? quads->is_open : written != NULL;
+    if (written == NULL) {
         scene_import_unsupported(import, "quads: not drawn");
-        return true;
+    } else {
+        scene_edits_add(import, edits,
+                        (struct scene_edit){at, strlen(names[which]), written, strlen(written)});
     }
-    char *const written = write_faces(import, index, count);
-    scene_edits_add(import, edits, (struct scene_edit){at, strlen(names[which]), written, strlen(written)});
     return true;
+}
+
+void scene_assimp_free_quads(struct scene_x3d_quads *quads)
+{
+    free(quads->names);
+    free(quads->places.entries);
 }

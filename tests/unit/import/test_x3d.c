@@ -93,7 +93,8 @@ static void test_nodes(void **state)
 
 #define QUADS "<Coordinate point='0 0 0 1 0 0, 1 1 0 0 1 0 2 0 0 3 0 0 3 1 0 2 1 0'/>"
 
-// Quads, with indices and without, are drawn with what belongs to their corners. A corner too many belongs to none.
+// Quads, with indices and without, are drawn with what belongs to their corners, and where they are used again. A
+// corner too many belongs to none.
 static void test_quads(void **state)
 {
     (void)state;
@@ -109,6 +110,14 @@ static void test_quads(void **state)
         {"<IndexedQuadSet index='4 5 6 7'>" QUADS "</IndexedQuadSet>", 2, false},
         {"<IndexedQuadSet solid='false'\nindex = \"0,1,2,3 4 5 6 7 1\">" QUADS "</IndexedQuadSet>", 4, false},
         {"<QuadSet DEF='q'>" QUADS "</QuadSet></Shape><Shape><QuadSet USE='q'/>", 8, false},
+        {"<IndexedQuadSet DEF='q' index='0 1 2 3'>" QUADS "</IndexedQuadSet></Shape><Shape><QuadSet/></Shape>"
+         "<Shape><IndexedQuadSet USE='q'></IndexedQuadSet>",
+         4, true},
+        {"<QuadSet DEF='q'>" QUADS
+         "</QuadSet></Shape><Shape><QuadSet DEF='r'/></Shape><Shape><QuadSet USE='r'>"
+         "</QuadSet></Shape><Shape><QuadSet USE='q'/>",
+         8, true},
+        {"<QuadSet DEF='q'><Coordinate USE='c'/></QuadSet></Shape><Shape><QuadSet USE='q'/>", 0, true},
         {"<QuadSet><Coordinate USE='c'/></QuadSet>", 0, true},
         {"<QuadSet/></Shape><Shape><IndexedFaceSet coordIndex='0 1 2 -1'>" QUADS "</IndexedFaceSet>", 1,
          true},
