@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // 3DS whose meshes have lost the matrix of their own places. A mesh has its vertices where they are in the world, and
 // its keys move it from that matrix, which programs that do not know it write as that of the origin. A pivot, which is
-// counted from there, says so: with keys the parts would stand apart, so assimp gets the file without keys.
+// counted from there, says so: with keys the parts would stand apart, so assimp gets the file without keys. It also
+// gets faces in groups where the file leaves them out, which smoothing_groups.c finds.
 #include "assimp.h"
 #include "smoothing_groups.h"
 

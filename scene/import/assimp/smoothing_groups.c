@@ -27,6 +27,7 @@ struct mesh {
     size_t points, point_count;
     size_t faces, face_count;
     struct chunk list; // the faces, and what belongs to them
+    size_t list_end;   // where the last chunk of the list ends, behind which may be bytes that are none
     size_t groups;     // place of the groups of the faces, or 0
     uint32_t *corners; // three for each face: points at one place have one number
     uint32_t *sets;    // a bit for each group that a face is in
@@ -86,6 +87,7 @@ static struct mesh read_mesh(const struct work *work, struct chunks chunks)
         const bool has_all = (chunk.content.end - chunk.content.at) / GROUP >= mesh.face_count;
         mesh.groups = chunk.kind == SMOOTHING && has_all ? chunk.content.at : mesh.groups;
     }
+    mesh.list_end = lists.at;
     return mesh;
 }
 
@@ -246,7 +248,7 @@ static void add_number(const struct work *work, size_t at, size_t number)
     scene_edits_add(work->import, work->edits, (struct scene_edit){at, 4, (char *)bytes, 4});
 }
 
-// Add the chunk of groups at the end of the list of faces. Return its size.
+// Add the chunk of groups behind those of the list of faces. Return its size.
 static size_t add_chunk(const struct work *work, const struct mesh *mesh)
 {
     const size_t size = HEAD + GROUP * mesh->face_count;
@@ -259,8 +261,7 @@ static size_t add_chunk(const struct work *work, const struct mesh *mesh)
     for (size_t i = 0; i < GROUP * mesh->face_count; i++) {
         bytes[HEAD + i] = (unsigned char)(mesh->sets[i / GROUP] >> 8 * (i % GROUP));
     }
-    scene_edits_add(work->import, work->edits,
-                    (struct scene_edit){mesh->list.content.end, 0, (char *)bytes, size});
+    scene_edits_add(work->import, work->edits, (struct scene_edit){mesh->list_end, 0, (char *)bytes, size});
     add_number(work, mesh->list.at + 2, mesh->list.content.end - mesh->list.at + size);
     return size;
 }
