@@ -40,12 +40,27 @@ static size_t read_texts(struct scene_import *import, const struct scene_blender
     return at + (start - at) % 4;
 }
 
+// Return how many elements a field has by its name, as in "mat[4][4]".
+static size_t count_elements(const char *name)
+{
+    size_t count = 1;
+    for (const char *c = strchr(name, '['); c != NULL; c = strchr(c + 1, '[')) {
+        const unsigned long length = strtoul(c + 1, NULL, 10);
+        count = length < 65536 && count < 65536 ? count * length : 0;
+    }
+    return count;
+}
+
 // Read the DNA whose block's content is at `start`.
 static struct scene_blender_dna read_dna(struct scene_import *import, const struct scene_blender_dump *dump,
                                          size_t start)
 {
     struct scene_blender_dna dna = {.names = NULL};
     size_t at = read_texts(import, dump, start, start + 4, &dna.names, &dna.name_count);
+    dna.elements = scene_import_allocate(import, dna.name_count, sizeof *dna.elements);
+    for (uint32_t i = 0; i < dna.name_count; i++) {
+        dna.elements[i] = count_elements(dna.names[i]);
+    }
     at = read_texts(import, dump, start, at, &dna.types, &dna.type_count);
     dna.sizes = at + 4;
     at = dna.sizes + 2 * (size_t)dna.type_count;
@@ -66,17 +81,6 @@ static const char *text_at(const char *const *texts, uint32_t count, uint64_t in
     return index < count ? texts[index] : "";
 }
 
-// Return how many elements a field has by its name, as in "mat[4][4]".
-static size_t count_elements(const char *name)
-{
-    size_t count = 1;
-    for (const char *c = strchr(name, '['); c != NULL; c = strchr(c + 1, '[')) {
-        const unsigned long length = strtoul(c + 1, NULL, 10);
-        count = length < 65536 && count < 65536 ? count * length : 0;
-    }
-    return count;
-}
-
 struct scene_blender_field scene_blender_find_field(const struct scene_blender_dump *dump,
                                                     const struct scene_blender_dna *dna, uint32_t index,
                                                     const char *name)
@@ -86,12 +90,12 @@ struct scene_blender_field scene_blender_find_field(const struct scene_blender_d
     size_t offset = 0;
     for (uint64_t i = 0; i < count; i++) {
         const uint64_t type = scene_blender_number(dump, at + 4 + 4 * i, 2);
-        const char *const field =
-            text_at(dna->names, dna->name_count, scene_blender_number(dump, at + 6 + 4 * i, 2));
+        const uint64_t number = scene_blender_number(dump, at + 6 + 4 * i, 2);
+        const char *const field = text_at(dna->names, dna->name_count, number);
         const bool is_pointer = field[0] == '*' || field[0] == '(';
         const size_t size =
             (is_pointer ? dump->pointer : (size_t)scene_blender_number(dump, dna->sizes + 2 * type, 2)) *
-            count_elements(field);
+            (number < dna->name_count ? dna->elements[number] : 1);
         if (strncmp(field, name, length) == 0 && (field[length] == 0 || field[length] == '[')) {
             return (struct scene_blender_field){offset, size};
         }
@@ -198,6 +202,7 @@ bool scene_blender_open(struct scene_import *import, struct scene_blender_file *
 void scene_blender_close(struct scene_blender_file *file)
 {
     free(file->dna.names);
+    free(file->dna.elements);
     free(file->dna.types);
     free(file->dna.structs);
     free(file->bytes);

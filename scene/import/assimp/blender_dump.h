@@ -17,6 +17,7 @@ struct scene_blender_dump {
 /// The parts of the DNA: names of fields, names of types and their sizes, and structs.
 struct scene_blender_dna {
     const char **names, **types;
+    size_t *elements; ///< how many a field of each name has
     uint32_t name_count, type_count, struct_count;
     size_t sizes, *structs; ///< places in the file
 };

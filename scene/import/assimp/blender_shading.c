@@ -135,7 +135,7 @@ static enum scene_blender_shading find_shading(const struct look *look, const st
                                             : SCENE_BLENDER_CREASED;
 }
 
-// Add the shading of an object by its name, which two letters precede.
+// Add the shading of an object by its name, which two letters precede. assimp has its bytes, in any encoding.
 static void add_object(const struct look *look, struct scene_blender_shadings *shadings,
                        const struct part *object)
 {
@@ -159,8 +159,8 @@ static void add_object(const struct look *look, struct scene_blender_shadings *s
     scene_import_reserve(look->import, &shadings->list, &shadings->capacity, shadings->count + 1,
                          sizeof *shadings->list);
     scene_hash_add(look->import, &shadings->names, scene_hash_bytes(name, length), (uint32_t)shadings->count);
-    shadings->list[shadings->count++] =
-        (struct scene_blender_shaded){scene_import_string(look->import, name, length), shading};
+    char *const bytes = scene_import_allocate(look->import, length + 1, 1);
+    shadings->list[shadings->count++] = (struct scene_blender_shaded){memcpy(bytes, name, length), shading};
 }
 
 void scene_blender_find_shadings(struct scene_import *import, struct scene_blender_shadings *shadings)

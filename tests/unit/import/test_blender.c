@@ -127,7 +127,7 @@ static void test_scene(void **state)
     }
 }
 
-// Return true if all corners of each triangle have one normal, as far as its corners lie in the plane of the face.
+// Return true if all corners of each triangle have one normal, but for 1e-5.
 static bool is_flat(const struct scene_mesh *mesh)
 {
     float worst = 0;
@@ -152,7 +152,8 @@ static void test_shading(void **state)
         SMOOTH_FLAGS = 84794,
         VERTICES = 83380,
         VERTEX = 24,
-        ANGLE = 32
+        ANGLE = 32,
+        NAME = 78999
     };
     static const struct {
         size_t place;
@@ -162,6 +163,7 @@ static void test_shading(void **state)
         {0, 'B', false, true, false},        {FLAT_FACE, 3, false, true, false},
         {SMOOTH_FACE, 2, false, true, true}, {SMOOTH_FLAGS, 4 + ANGLE, false, true, true},
         {0, 'B', true, true, false},         {FLAT_FACE, 3, true, false, false},
+        {NAME, 0xe9, false, true, false}, // a letter of the name of the flat one, in Latin-1
     };
     static unsigned char bytes[1 << 20];
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
@@ -178,7 +180,7 @@ static void test_shading(void **state)
         write_bytes("s.blend", bytes, size);
         struct scene_model *const model = load("s.blend");
         assert_int_equal(model->mesh_count, 2);
-        const int first = strcmp(model->meshes[0].name, "Cube") == 0 ? 0 : 1;
+        const int first = strlen(model->meshes[0].name) == strlen("Cube") ? 0 : 1;
         if (is_flat(&model->meshes[first]) != cases[i].flat ||
             is_flat(&model->meshes[1 - first]) != cases[i].smooth) {
             fail_msg("case %zu: %d, %d", i, is_flat(&model->meshes[first]),
@@ -194,21 +196,26 @@ static unsigned char *put(unsigned char *to, const void *bytes, size_t size)
     return to + size;
 }
 
-// Fields are looked up once for each kind of block. For each of many blocks it would take more than the limit.
+// Fields are looked up once for each kind of block, and the elements of fields are counted once for each name. For each
+// of many blocks, or of many fields of a long name, it would take more than the limit.
 static void test_many_blocks(void **state)
 {
     (void)state;
-    enum { BLOCKS = 40000, BLOCK = 24, FIELDS = 0xffff };
+    enum { BLOCKS = 40000, BLOCK = 24, FIELDS = 0xffff, NAME = 16384 };
     static const unsigned char object[BLOCK] = {'O', 'B', [8] = 1, [20] = 1};
-    static const char dna[] = "DNA1\x34\0\4\0\1\0\0\0\0\0\0\0\0\0\0\0\1\0\0\0"
-                              "SDNANAME\1\0\0\0x\0\0\0TYPE\2\0\0\0Object\0char\0TLEN\0\0\1\0"
-                              "STRC\1\0\0\0\0\0\xff\xff";
-    unsigned char *const bytes = malloc(BLOCKS * BLOCK + 4 * FIELDS + 256);
+    static const char dna[] = "DNA1\x30\x40\4\0\1\0\0\0\0\0\0\0\0\0\0\0\1\0\0\0SDNANAME\1\0\0\0";
+    static const char types[] = "TYPE\2\0\0\0Object\0char\0TLEN\0\0\1\0STRC\1\0\0\0\0\0\xff\xff";
+    static char name[NAME] = "x";
+    unsigned char *const bytes = malloc(BLOCKS * BLOCK + 4 * FIELDS + NAME + 256);
+    memset(name + 1, '[', NAME - 3);
+    name[NAME - 2] = ']'; // by which assimp leaves out the lengths
     unsigned char *end = put(bytes, "BLENDER-v269", 12);
     for (int i = 0; i < BLOCKS; i++) {
         end = put(end, object, BLOCK);
     }
     end = put(end, dna, sizeof dna - 1);
+    end = put(end, name, NAME);
+    end = put(end, types, sizeof types - 1);
     for (int i = 0; i < FIELDS; i++) {
         end = put(end, "\1\0\0", 4);
     }
