@@ -637,8 +637,8 @@ static void test_blob(void **state)
     free(original);
 }
 
-// A batch of faces is weighed as each face by itself, by the formulas of doubles, bit for bit. One face has no area, and one
-// batch is not full.
+// A batch of faces is weighed as each face by itself, by the formulas of doubles, bit for bit. One face has no area,
+// and one batch is not full.
 static void test_batch_of_faces(void **state)
 {
     (void)state;

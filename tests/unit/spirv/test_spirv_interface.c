@@ -240,8 +240,8 @@ static void test_samples_look_at_other_places(void **state)
     close_rig(&rig, program);
 }
 
-// Where a triangle covers a part of a pixel, values at its centroid are those of one of the samples, and offsets go from
-// the centre. The constant tells how much of the pixel is covered.
+// Where a triangle covers a part of a pixel, values at its centroid are those of one of the samples, and offsets go
+// from the centre. The constant tells how much of the pixel is covered.
 static void test_centroids_lie_within_the_triangle(void **state)
 {
     (void)state;

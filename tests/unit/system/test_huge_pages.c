@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Large blocks are marked for huge pages, where Linux lists the marks; small ones are not, and no byte changes. A heap that
-// is asked for is marked.
+// Large blocks are marked for huge pages, where Linux lists the marks; small ones are not, and no byte changes. A heap
+// that is asked for is marked.
 #include "unit.h"
 
 #include <stdbool.h>
@@ -35,8 +35,8 @@ static void test_large_blocks_are_marked(void **state)
     assert_int_equal(marked, 1);
 }
 
-// Ask for a heap on huge pages in a process of its own, which this one is not to be. Return what huge_page_mark says of a
-// block of a megabyte there, or 2 if it is not zeroed where it should be.
+// Ask for a heap on huge pages in a process of its own, which this one is not to be. Return what huge_page_mark says of
+// a block of a megabyte there, or 2 if it is not zeroed where it should be.
 static int marks_heap(void)
 {
     const pid_t child = fork();
