@@ -24,6 +24,12 @@ bool scene_assimp_is_skinned(const struct scene_import *import, const struct aiM
 void scene_assimp_skin(struct scene_import *import, const struct scene_assimp_exact *exact,
                        const struct aiScene *scene, unsigned index, struct scene_mesh *mesh,
                        double origin[3]);
+/// Add the cameras of a scene to the model, each at the node of its name.
+void scene_assimp_add_cameras(struct scene_import *import, const struct scene_assimp_exact *exact,
+                              const struct aiScene *scene);
+/// Add the lights of a scene whose meshes are placed, as strong as they light the middle of these.
+void scene_assimp_add_lights(struct scene_import *import, const struct scene_assimp_exact *exact,
+                             const struct aiScene *scene);
 /// The first node, from one on downward, that holds a mesh. NULL if none does.
 const struct aiNode *scene_assimp_holder(const struct aiNode *node, unsigned mesh);
 /// Tells the user what assimp says that it leaves out, from now to the end of the process.
