@@ -33,7 +33,8 @@ enum {
     STORAGE_UNIFORM = 2,
     STORAGE_OUTPUT = 3,
     STORAGE_BUFFER = 12,
-    MAX_DEPTH = 16 // types in each other
+    MAX_DEPTH = 16,    // types in each other
+    MAX_LOCATIONS = 32 // The inputs of a fragment shader have this many.
 };
 
 // The block of uniforms that are in none.
@@ -232,8 +233,100 @@ static const uint32_t *find_named(const struct glsl_code *code, enum glsl_thing 
     return NULL;
 }
 
+static const uint32_t *find_type(const struct glsl_code *code, uint32_t type)
+{
+    static const uint32_t opcodes[] = {OP_TYPE_INT,    OP_TYPE_FLOAT, OP_TYPE_VECTOR,
+                                       OP_TYPE_MATRIX, OP_TYPE_ARRAY, OP_TYPE_STRUCT};
+    const uint32_t *found = NULL;
+    for (size_t i = 0; i < sizeof opcodes / sizeof *opcodes && found == NULL; i++) {
+        found = find(code, opcodes[i], 1, type);
+    }
+    return found;
+}
+
+static uint32_t opcode_of_type(const uint32_t *type)
+{
+    return type != NULL ? type[0] & 0xffff : 0;
+}
+
+static uint32_t length_of(const struct glsl_code *code, const uint32_t *array)
+{
+    const uint32_t *const length = find(code, OP_CONSTANT, 2, array[3]);
+    return length != NULL ? length[3] : 0;
+}
+
+// Return how many locations a type takes, at most MAX_LOCATIONS.
+static uint32_t locations_of(const struct glsl_code *code, uint32_t id, int depth)
+{
+    const uint32_t *const type = depth < MAX_DEPTH ? find_type(code, id) : NULL;
+    uint64_t count = 0;
+    switch (opcode_of_type(type)) {
+    case OP_TYPE_MATRIX: count = type[3]; break;
+    case OP_TYPE_ARRAY:
+        count = (uint64_t)length_of(code, type) * locations_of(code, type[2], depth + 1);
+        break;
+    case OP_TYPE_STRUCT:
+        for (uint32_t i = 2; i < type[0] >> 16; i++) {
+            count += locations_of(code, type[i], depth + 1);
+        }
+        break;
+    default: count = 1;
+    }
+    return count < MAX_LOCATIONS ? (uint32_t)count : MAX_LOCATIONS;
+}
+
+static uint32_t type_of_member(const struct glsl_code *code, uint32_t id, uint32_t member)
+{
+    const uint32_t *const type = find(code, OP_TYPE_STRUCT, 1, id);
+    return type != NULL && member + 2 < type[0] >> 16 ? type[2 + member] : 0;
+}
+
+// Return which locations a type takes from one on, a bit for each, or UINT64_MAX where they are too many.
+static uint64_t locations_from(const struct glsl_code *code, uint32_t type, uint32_t location)
+{
+    const uint32_t count = locations_of(code, type, 0);
+    return location < MAX_LOCATIONS && location + count <= MAX_LOCATIONS
+               ? ((UINT64_C(1) << count) - 1) << location
+               : UINT64_MAX;
+}
+
+static uint32_t type_of_variable(const struct glsl_code *code, uint32_t id)
+{
+    const uint32_t *const variable = find(code, OP_VARIABLE, 2, id);
+    const uint32_t *const pointer = variable != NULL ? find(code, OP_TYPE_POINTER, 1, variable[1]) : NULL;
+    return pointer != NULL ? pointer[3] : 0;
+}
+
+// Return which locations the members of blocks take that have their own.
+static uint64_t locations_of_members(const struct glsl_code *code)
+{
+    uint64_t taken = 0;
+    for (const uint32_t *words = next(code, OP_MEMBER_DECORATE, NULL); words != NULL;
+         words = next(code, OP_MEMBER_DECORATE, words)) {
+        taken |= words[3] == LOCATION
+                     ? locations_from(code, type_of_member(code, words[1], words[2]), words[4])
+                     : 0;
+    }
+    return taken;
+}
+
+// Put an input that is not read where no other is. `taken` has a bit for each location of the others.
+static void put_aside(const struct glsl_code *fragment, uint32_t *decoration, uint64_t *taken)
+{
+    const uint32_t type = type_of_variable(fragment, decoration[1]);
+    uint32_t location = 0;
+    while (location < MAX_LOCATIONS && (locations_from(fragment, type, location) & *taken) != 0) {
+        location++;
+    }
+    decoration[3] = location;
+    *taken |= locations_from(fragment, type, location);
+}
+
+// Put inputs where the outputs of their names are, and others where no input is. Return NULL, or the name of an input
+// that is read and not written.
 static const char *match_inputs(const struct glsl_code *vertex, const struct glsl_code *fragment)
 {
+    uint64_t taken = locations_of_members(fragment);
     for (uint32_t *words = next(fragment, OP_DECORATE, NULL); words != NULL;
          words = next(fragment, OP_DECORATE, words)) {
         const char *const name = name_of_thing(fragment, GLSL_INPUT, words);
@@ -243,6 +336,14 @@ static const char *match_inputs(const struct glsl_code *vertex, const struct gls
         }
         if (output != NULL) {
             words[3] = output[3];
+            taken |= locations_from(fragment, type_of_variable(fragment, words[1]), words[3]);
+        }
+    }
+    for (uint32_t *words = next(fragment, OP_DECORATE, NULL); words != NULL;
+         words = next(fragment, OP_DECORATE, words)) {
+        const char *const name = name_of_thing(fragment, GLSL_INPUT, words);
+        if (name != NULL && find_named(vertex, GLSL_OUTPUT, name) == NULL) {
+            put_aside(fragment, words, &taken);
         }
     }
     return NULL;
@@ -288,28 +389,6 @@ static uint32_t decoration_of_member(const struct glsl_code *code, uint32_t id, 
         words = next(code, OP_MEMBER_DECORATE, words);
     }
     return words != NULL ? words[4] : 0;
-}
-
-static const uint32_t *find_type(const struct glsl_code *code, uint32_t type)
-{
-    static const uint32_t opcodes[] = {OP_TYPE_INT,    OP_TYPE_FLOAT, OP_TYPE_VECTOR,
-                                       OP_TYPE_MATRIX, OP_TYPE_ARRAY, OP_TYPE_STRUCT};
-    const uint32_t *found = NULL;
-    for (size_t i = 0; i < sizeof opcodes / sizeof *opcodes && found == NULL; i++) {
-        found = find(code, opcodes[i], 1, type);
-    }
-    return found;
-}
-
-static uint32_t opcode_of_type(const uint32_t *type)
-{
-    return type != NULL ? type[0] & 0xffff : 0;
-}
-
-static uint32_t length_of(const struct glsl_code *code, const uint32_t *array)
-{
-    const uint32_t *const length = find(code, OP_CONSTANT, 2, array[3]);
-    return length != NULL ? length[3] : 0;
 }
 
 // Return the bytes of a type in a block of uniforms. A matrix counts as one of 4 columns or rows.
@@ -363,12 +442,6 @@ static uint32_t find_loose(const struct glsl_code *code)
         name = next(code, OP_NAME, name);
     }
     return name != NULL ? name[1] : 0;
-}
-
-static uint32_t type_of_member(const struct glsl_code *code, uint32_t id, uint32_t member)
-{
-    const uint32_t *const type = find(code, OP_TYPE_STRUCT, 1, id);
-    return type != NULL && member + 2 < type[0] >> 16 ? type[2 + member] : 0;
 }
 
 // Uniforms of one name are one; others of the moved code stand behind those of the fixed one. Return NULL, or the name

@@ -29,8 +29,9 @@ const char *glsl_place(const struct glsl_code *code, enum glsl_thing thing, cons
                        uint32_t count);
 
 /// Fit the texts of a program together by names, if one of them is relaxed: inputs of the fragment shader get the
-/// locations of the vertex shader's outputs, textures and blocks of set 0 a binding for each name, and uniforms of
-/// gl_DefaultUniformBlock a place for each name. Return false, with one line in `message`, where names do not fit.
+/// locations of the vertex shader's outputs, or of no other input where it does not read them and no output has their
+/// name; textures and blocks of set 0 get a binding for each name, and uniforms of gl_DefaultUniformBlock a place for
+/// each name. Return false, with one line in `message`, where names do not fit.
 bool glsl_match(const struct glsl_code *vertex, const struct glsl_code *fragment, char *message,
                 size_t message_size);
 

@@ -259,6 +259,28 @@ sed 's/in Shade/in Light/' blocks.frag >light.frag
 refuse 1 "light.frag: the fragment shader reads 'Light', which the vertex shader does not write" \
     shader blocks.vert light.frag --relaxed
 
+# What is declared and not read leaves the picture as it is, in whatever place and however it is interpolated.
+cat >sides.vert <<'GLSL'
+out vec4 first;
+out vec4 second[2];
+out vec4 side;
+void main()
+{
+    vec2 corner = vec2(gl_VertexIndex == 1 ? 3 : -1, gl_VertexIndex == 2 ? 3 : -1);
+    gl_Position = vec4(corner, 0, 1);
+    first = second[0] = second[1] = vec4(0);
+    side = vec4(0.5 * corner + 0.5, 0, 1);
+}
+GLSL
+printf 'in vec4 side;\nout vec4 color;\nvoid main() { color = side; }\n' >sides.frag
+succeed shader sides.vert sides.frag --run --size 4 -o sides.png
+for unread in 'flat in vec4 a;' 'flat in vec4 a, b[28];' 'flat in mat4 a; flat in vec4 b[2];' \
+    'struct S { vec2 a; float b[3]; }; flat in S c; flat in S d;' 'layout(location = 3) flat in vec4 a;'; do
+    { echo "$unread" && cat sides.frag; } >unread.frag
+    succeed shader sides.vert unread.frag --run --size 4 -o unread.png
+    succeed compare unread.png sides.png
+done
+
 # mainImage, as ShaderToy has it: y points up.
 cat >toy.frag <<'GLSL'
 /* void main() */ uniform float iTime;
