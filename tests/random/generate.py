@@ -23,6 +23,7 @@ layout(set = 0, binding = 4) uniform sampler2D picture;
 layout(set = 0, binding = 5, rgba32f) uniform image2D canvas;
 layout(set = 0, binding = 6) uniform sampler2D levels;
 layout(set = 0, binding = 7) uniform sampler2DShadow shadow;
+layout(set = 0, binding = 8) uniform sampler2D depths;
 layout(push_constant) uniform Push { int count; float scale; } push;
 #define PART(x, y) textureLodOffset(shadow, at, 0.0, ivec2(x, y))
 float window(vec3 at) { return PART(-1, 0) + 2.0 * PART(0, 0) + 4.0 * PART(1, 1) + 8.0 * PART(0, 1); }
@@ -30,6 +31,13 @@ float turns(vec3 at)
 {
     float a = PART(-1, 0), b = sin(at.x + a), c = PART(0, 0) * b, d = cos(at.y + c);
     return PART(1, 0) * d + PART(1, 1) * sin(d - c);
+}
+float texel(int x, int y, int outside)
+{
+    ivec2 at = ivec2(x & 31, y & 31) - 8;
+    at.x = (outside & 3) == 2 ? 0x7fffffff - (x & 7) : (outside & 3) == 3 ? -0x7fffffff - 1 + (x & 7) : at.x;
+    at.y = (outside & 12) == 8 ? 0x7fffffff - (y & 7) : (outside & 12) == 12 ? -0x7fffffff - 1 + (y & 7) : at.y;
+    return texelFetch(depths, at, 0).x;
 }
 float clean(float x) { return isnan(x) ? 7.0 : x; }
 '''
@@ -116,10 +124,11 @@ class Program:
         if not self.in_function and not self.is_compute:
             forms += ['dFdx({0})', 'dFdy({0})', 'texture(picture, vec2({0}, {1})).y', 'texture(levels, vec2({0}, {1})).z',
                       'texture(shadow, vec3({0}, {1}, {2}))']
-        forms += ['textureLod(picture, vec2({0}, {1}), 0.0).x', 'window(vec3({0}, {1}, {2}))']
+        forms += ['textureLod(picture, vec2({0}, {1}), 0.0).x', 'window(vec3({0}, {1}, {2}))', 'texel({0}, {1}, {2})']
         choice = r.randrange(len(forms) + 4)
         if choice < len(forms):
-            return forms[choice].format(e(), e(), e())
+            kind = 'int' if forms[choice].startswith('texel(') else 'float'
+            return forms[choice].format(*(self.expression(kind, depth - 1) for _ in range(3)))
         return self.pick(f'({self.expression("bool", depth - 1)} ? {e()} : {e()})',
                          f'float({self.expression("int", depth - 1)})',
                          f'numbers[{self.index(depth, 8)}].{r.choice("xyzw")}',
@@ -360,6 +369,9 @@ class Program:
             value = self.variables(kind)[0]
             bits = {'float': f'floatBitsToUint(clean({value}))', 'int': f'uint({value})', 'uint': value}[kind]
             self.line(f'own[{OWN} * self() + {word}] = {bits};')
+        if not self.is_pure:
+            at = ', '.join(self.expression('int', 1) for _ in range(3))
+            self.line(f'own[{OWN} * self() + 3] = floatBitsToUint(texel({at}));')
         if not self.is_compute:
             e = lambda: self.expression('float', 1)
             values = ', '.join((f'clean({e()})', f'texture(levels, vec2({e()}, {e()})).x',

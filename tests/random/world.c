@@ -41,7 +41,8 @@ static rhw_texture make_texture(rhw_context *context, int side, enum rhw_format 
     return texture;
 }
 
-// Make what is sampled: a picture of one level, whose sampler needs no gradient, one of all levels, and a shadow map.
+// Make what is sampled: a picture of one level, whose sampler needs no gradient, one of all levels, and a shadow map,
+// which is fetched as well.
 static void make_pictures(struct stage *stage)
 {
     static float texels[PICTURE * PICTURE][4];
@@ -68,6 +69,8 @@ static void make_pictures(struct stage *stage)
                      RHW_OK);
     assert_int_equal(rhw_binding_of_texture(context, stage->shadow, stage->comparing, &stage->set[7]),
                      RHW_OK);
+    assert_int_equal(rhw_binding_of_texture(context, stage->shadow, stage->sampler, &stage->set[8]), RHW_OK);
+    assert_non_null(rhw_binding_sample_plane(&stage->set[8]).texels);
     assert_false(rhw_binding_sample_needs_gradient(&stage->set[4], &stage->set[4]));
     assert_true(rhw_binding_sample_needs_gradient(&stage->set[6], &stage->set[6]));
 }

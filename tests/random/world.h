@@ -16,7 +16,7 @@ enum {
     COUNTERS = 16,
     CANVAS = 32,
     PICTURE = 8,
-    BINDINGS = 8
+    BINDINGS = 9
 };
 
 // What a program reads and leaves.
