@@ -31,9 +31,9 @@ struct rhw_texel_plane {
 /// textures and for views in another order of channels.
 RHW_API struct rhw_texel_plane rhw_binding_sample_plane(const struct rhw_binding *binding);
 
-/// Return how many coordinates a sample of the binding takes, the layer among them: 1..4. Return 0 where there is
-/// nothing to sample, or no sampler.
-RHW_API int rhw_binding_sample_coordinates(const struct rhw_binding *binding);
+/// Return true if a sample of the binding reads a 2D texture without layers. Return false where there is nothing to
+/// sample, or no sampler.
+RHW_API bool rhw_binding_sample_is_2d(const struct rhw_binding *binding);
 
 /// Return true if what a texture gives by a sampler may depend on the gradient, level or bias of a request. If not, all
 /// of these give the same bits, and a shader may spare them: one level is read, by one filter, without anisotropy. The

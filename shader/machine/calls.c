@@ -424,7 +424,7 @@ static void call_SAMPLE_GROUPS(const struct shader_together *together, const str
     const int count = (int)together->here, stride = (int)(together->record_size / sizeof *texels);
     uint32_t plain = 0;
     for (uint32_t todo = which; todo != 0; todo &= todo - 1) {
-        plain |= rhw_binding_sample_coordinates(&table[__builtin_ctz(todo)]) == 2 ? todo & -todo : 0;
+        plain |= rhw_binding_sample_is_2d(&table[__builtin_ctz(todo)]) ? todo & -todo : 0;
     }
     if (plain != 0) {
         rhw_binding_sample_groups(table, groups, count, plain, (int)at, texels, stride);

@@ -91,14 +91,11 @@ struct rhw_texel_plane rhw_binding_sample_plane(const struct rhw_binding *bindin
                                     (int32_t)(mip->row_pitch / sizeof(float))};
 }
 
-int rhw_binding_sample_coordinates(const struct rhw_binding *binding)
+bool rhw_binding_sample_is_2d(const struct rhw_binding *binding)
 {
     const struct rhw_binding_data *const data = sampled(binding);
-    if (!data || !data->texture) {
-        return 0;
-    }
-    const struct rhw_texture_shape *const shape = &data->texture->shape;
-    return rhw_texture_components(shape->kind) + (shape->is_array ? 1 : 0);
+    return data && data->texture && data->texture->shape.kind == RHW_TEXTURE_2D &&
+           !data->texture->shape.is_array;
 }
 
 bool rhw_binding_sample_needs_gradient(const struct rhw_binding *texture, const struct rhw_binding *sampler)

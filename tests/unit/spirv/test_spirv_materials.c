@@ -19,6 +19,7 @@ static void bind_maps(const struct rig *rig, struct rhw_binding set[MAPS])
         {.kind = RHW_TEXTURE_CUBE, .width = 8, .height = 8, .mip_levels = 3},
         {.width = 8, .height = 7, .layers = 4, .mip_levels = 2},
         {.width = 9, .height = 31},
+        {.kind = RHW_TEXTURE_1D, .width = 64, .layers = 4, .mip_levels = RHW_MIP_LEVELS_ALL},
     };
     const rhw_sampler linear = make_sampler(rig, &(struct rhw_sampler_def){.address_v = RHW_ADDRESS_MIRROR});
     const rhw_sampler nearest = make_sampler(
@@ -27,7 +28,7 @@ static void bind_maps(const struct rig *rig, struct rhw_binding set[MAPS])
     for (int i = 0; i < MAPS; i++) {
         const bool is_odd = i % 3 == 1;
         struct rhw_texture_def def = {.width = 64, .height = 64, .mip_levels = RHW_MIP_LEVELS_ALL};
-        def = is_odd ? odd[i / 3 % 5] : def;
+        def = is_odd ? odd[i / 3] : def;
         def.format = is_odd       ? RHW_FORMAT_RGBA8_UNORM
                      : i % 4 == 0 ? RHW_FORMAT_RGBA8_SRGB
                      : i % 4 == 3 ? RHW_FORMAT_RGBA16_FLOAT
