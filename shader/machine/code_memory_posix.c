@@ -21,7 +21,8 @@
 
 #if defined(RHW_GUARDS)
 
-// Pages that nobody may touch stand around code and around what it keeps on the stack. Code ends where they begin.
+// Pages that nobody may touch stand around code and around what it keeps on the stack. Code ends within 64 bytes of
+// them.
 enum { GUARD = 1 << 16, STACK = 1 << 20, BREAKPOINT = 0xcc };
 
 static size_t whole_pages(size_t size)
@@ -33,7 +34,11 @@ static size_t whole_pages(size_t size)
 static char *map_guarded(size_t size)
 {
     char *const all = mmap(NULL, size + 2 * GUARD, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
-    if (all == MAP_FAILED || mprotect(all + GUARD, size, PROT_READ | PROT_WRITE) != 0) {
+    if (all == MAP_FAILED) {
+        return NULL;
+    }
+    if (mprotect(all + GUARD, size, PROT_READ | PROT_WRITE) != 0) {
+        (void)munmap(all, size + 2 * GUARD);
         return NULL;
     }
     return all + GUARD;
@@ -58,7 +63,11 @@ void *shader_code_map(const void *bytes, size_t size)
     }
     memset(begin, BREAKPOINT, room);
     memcpy(begin + before, bytes, size);
-    return mprotect(begin, room, PROT_READ | PROT_EXEC) == 0 ? begin + before : NULL;
+    if (mprotect(begin, room, PROT_READ | PROT_EXEC) != 0) {
+        (void)munmap(begin - GUARD, room + 2 * GUARD);
+        return NULL;
+    }
+    return begin + before;
 }
 
 void shader_code_unmap(void *code, size_t size)
