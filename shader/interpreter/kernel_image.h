@@ -190,8 +190,8 @@ static void fetch_from_plane(const struct rhw_texel_plane *plane, rhw_int x, rhw
 {
     const rhw_int width = rhw_splat_int(plane->width), height = rhw_splat_int(plane->height);
     const rhw_int inside = ~(x >> 31) & ~(y >> 31) & rhw_less_int(x, width) & rhw_less_int(y, height);
-    const rhw_int number =
-        rhw_select_int(inside, rhw_min_int(rhw_max_int(y, 0), height) * plane->pitch + x, rhw_splat_int(-1));
+    const rhw_int row = rhw_min_int(rhw_max_int(y, 0), height) * plane->pitch;
+    const rhw_int number = rhw_select_int(inside, (rhw_int)((rhw_uint)row + (rhw_uint)x), rhw_splat_int(-1));
     texel[0] = rhw_gather(plane->texels, plane->pitch * plane->height, number);
     texel[1] = texel[2] = rhw_splat(0.0f);
     texel[3] = rhw_splat(1.0f);

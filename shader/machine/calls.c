@@ -389,9 +389,9 @@ static rhw_float call_FETCH_PLANE(const struct shader_found_plane *found, rhw_in
     }
     const rhw_int outside =
         rhw_less_int(x, zero) | ~rhw_less_int(x, rhw_splat_int(plane->width)) | rhw_less_int(y, zero);
-    return rhw_gather(plane->texels, plane->pitch * plane->height,
-                      (rhw_max_int(rhw_min_int(y, rhw_splat_int(plane->height)), zero) * plane->pitch + x) |
-                          outside);
+    const rhw_int row = rhw_max_int(rhw_min_int(y, rhw_splat_int(plane->height)), zero);
+    const rhw_int number = (rhw_int)((rhw_uint)(row * plane->pitch) + (rhw_uint)x); // x may be any number
+    return rhw_gather(plane->texels, plane->pitch * plane->height, number | outside);
 }
 
 // Put what all lanes name into a table.
