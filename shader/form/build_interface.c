@@ -292,8 +292,14 @@ static void find_capture(struct interface_walk *walk, const struct shader_type *
         shader_build_refuse(builder, "transform feedback has %d buffers, and offsets below 2^31",
                             SHADER_MAX_CAPTURE_BUFFERS);
     }
-    if (walk->is_captured) {
-        builder->program->strides[walk->buffer] = decorated(walk, block, member, SPIRV_XFB_STRIDE, 0);
+    const uint32_t stride = decorated(walk, block, member, SPIRV_XFB_STRIDE, 0);
+    if (walk->is_captured && stride != 0) {
+        uint32_t *const own = &builder->program->strides[walk->buffer];
+        if (*own != 0 && *own != stride) {
+            shader_build_refuse(builder, "transform feedback has strides of %u and %u for buffer %u",
+                                (unsigned)*own, (unsigned)stride, (unsigned)walk->buffer);
+        }
+        *own = stride;
     }
 }
 

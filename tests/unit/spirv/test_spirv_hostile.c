@@ -20,10 +20,12 @@ struct assembled {
 // Return the stage of a module's entry point, or compute where it has none.
 static enum rhw_shader_stage stage_of(const uint32_t *words, size_t size)
 {
-    enum { OP_ENTRY_POINT = 15, FRAGMENT = 4 };
+    enum { OP_ENTRY_POINT = 15, VERTEX = 0, FRAGMENT = 4 };
     for (size_t i = 5; i < size / sizeof *words && words[i] >> 16 != 0; i += words[i] >> 16) {
         if ((words[i] & 0xffff) == OP_ENTRY_POINT) {
-            return words[i + 1] == FRAGMENT ? RHW_SHADER_FRAGMENT : RHW_SHADER_COMPUTE;
+            return words[i + 1] == VERTEX     ? RHW_SHADER_VERTEX
+                   : words[i + 1] == FRAGMENT ? RHW_SHADER_FRAGMENT
+                                              : RHW_SHADER_COMPUTE;
         }
     }
     return RHW_SHADER_COMPUTE;
