@@ -18,8 +18,8 @@ static void bind_maps(const struct rig *rig, struct rhw_binding set[MAPS])
         {.kind = RHW_TEXTURE_1D, .width = 13, .mip_levels = RHW_MIP_LEVELS_ALL},
         {.kind = RHW_TEXTURE_CUBE, .width = 8, .height = 8, .mip_levels = 3},
         {.width = 8, .height = 7, .layers = 4, .mip_levels = 2},
-        {.width = 9, .height = 31},
         {.kind = RHW_TEXTURE_1D, .width = 64, .layers = 4, .mip_levels = RHW_MIP_LEVELS_ALL},
+        {.width = 9, .height = 31},
     };
     const rhw_sampler linear = make_sampler(rig, &(struct rhw_sampler_def){.address_v = RHW_ADDRESS_MIRROR});
     const rhw_sampler nearest = make_sampler(
