@@ -272,11 +272,18 @@ static void what_is_left_out_is_told(void **state)
                                              rig_framebuffer(&m.rig, pass, &m.images[0].view, 1, PASS_SIDE),
                                          .renderArea = {.extent = {PASS_SIDE, PASS_SIDE}}};
     const VkBufferCopy region = {.srcOffset = 8, .size = 16};
-    const VkBufferImageCopy texels = {.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1},
-                                      .imageExtent = {PASS_SIDE, PASS_SIDE, 1}};
+    VkBufferImageCopy texels = {.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1},
+                                .imageExtent = {PASS_SIDE, PASS_SIDE, 1}};
     vkCmdCopyBuffer(rig->commands, small.buffer, small.buffer, 1, &region);
     vkCmdCopyBufferToImage(rig->commands, small.buffer, m.images[0].image, VK_IMAGE_LAYOUT_GENERAL, 1,
                            &texels);
+    texels.imageExtent.width = 0;
+    vkCmdCopyImageToBuffer(rig->commands, m.images[0].image, VK_IMAGE_LAYOUT_GENERAL, small.buffer, 1,
+                           &texels);
+    const VkClearColorValue black = {.float32 = {0}};
+    const VkImageSubresourceRange beyond = {VK_IMAGE_ASPECT_COLOR_BIT, 5, VK_REMAINING_MIP_LEVELS, 0, 1};
+    vkCmdClearColorImage(rig->commands, m.images[0].image, VK_IMAGE_LAYOUT_GENERAL, &black, 1, &beyond);
+    vkCmdEndRenderPass(rig->commands);
     vkCmdDispatch(rig->commands, 1, 1, 1);
     vkCmdDispatchIndirect(rig->commands, small.buffer, 8);
     vkCmdDraw(rig->commands, 3, 1, 0, 0);
@@ -292,6 +299,9 @@ static void what_is_left_out_is_told(void **state)
     rig_run(&m.rig);
     static const char *const parts[] = {"vkCmdCopyBuffer: 8 bytes of 16 lie within the buffers",
                                         "outside of its buffer",
+                                        "vkCmdCopyImageToBuffer: a region without texels",
+                                        "clear: a range without texels",
+                                        "a render pass is ended that has not begun",
                                         "a dispatch is left out: no pipeline is bound",
                                         "an indirect dispatch at 8 is left out",
                                         "a draw is left out: no render pass has begun",

@@ -78,6 +78,9 @@ static void replay_resolve(struct vulkan_replay *replay, const struct vulkan_com
 {
     const struct resolve_command *const resolve = (const struct resolve_command *)command;
     const VkImageResolve *const region = &resolve->region;
+    if (vulkan_region_is_empty(resolve->from, &region->srcSubresource, region->extent, "vkCmdResolveImage")) {
+        return;
+    }
     const rhw_texture from = vulkan_replay_texture(replay, resolve->from);
     const rhw_texture to = vulkan_replay_texture(replay, resolve->to);
     const struct rhw_texture_region source = vulkan_region(

@@ -34,7 +34,12 @@ static void replay_clear(struct vulkan_replay *replay, const struct vulkan_comma
 {
     const struct clear_command *const clear = (const struct clear_command *)command;
     const VkImageSubresourceRange *const range = &clear->range;
-    const uint32_t left = clear->image->levels - range->baseMipLevel;
+    const uint32_t levels = clear->image->levels;
+    if (range->baseMipLevel >= levels || range->layerCount == 0) {
+        vulkan_log("clear: a range without texels is left out");
+        return;
+    }
+    const uint32_t left = levels - range->baseMipLevel;
     const uint32_t count = range->levelCount < left ? range->levelCount : left;
     for (uint32_t i = 0; i < count; i++) {
         if (range->aspectMask & ~(VkImageAspectFlags)VK_IMAGE_ASPECT_STENCIL_BIT) {

@@ -36,7 +36,7 @@ static struct rhw_texture_region image_region(const struct buffer_copy *copy)
                          region->imageOffset, region->imageExtent);
 }
 
-// Return whether a region lies within its image and its buffer, so that nothing else is read or written.
+// Return whether a region has texels and lies within its image and its buffer, so that nothing else is read or written.
 static bool is_within(const struct buffer_copy *copy, const char *what)
 {
     const VkBufferImageCopy *const region = &copy->region;
@@ -44,10 +44,11 @@ static bool is_within(const struct buffer_copy *copy, const char *what)
     const struct vulkan_units units =
         vulkan_units_of(copy->image, &region->imageSubresource, region->imageExtent);
     const size_t bytes = vulkan_format_bytes(copy->image->vulkan_format, region->imageSubresource.aspectMask);
-    const VkDeviceSize needs = units.width == 0 || units.height == 0 || units.depth == 0
-                                   ? 0
-                                   : (units.depth - 1) * rows.slice_pitch +
-                                         (units.height - 1) * rows.row_pitch + units.width * bytes;
+    if (vulkan_region_is_empty(copy->image, &region->imageSubresource, region->imageExtent, what)) {
+        return false;
+    }
+    const VkDeviceSize needs =
+        (units.depth - 1) * rows.slice_pitch + (units.height - 1) * rows.row_pitch + units.width * bytes;
     // Slices that stand this far apart are no product that goes beyond 64 bits.
     const bool is_near = units.depth <= 1 || rows.slice_pitch <= copy->size;
     const bool is_in_buffer =
@@ -196,6 +197,10 @@ static void copy_texels(struct vulkan_replay *replay, const struct image_copy *c
 static void replay_image_copy(struct vulkan_replay *replay, const struct vulkan_command *command)
 {
     const struct image_copy *const copy = (const struct image_copy *)command;
+    if (vulkan_region_is_empty(copy->from, &copy->region.srcSubresource, copy->region.extent,
+                               "vkCmdCopyImage")) {
+        return;
+    }
     if (vulkan_format_is_compressed(copy->from->vulkan_format) ||
         vulkan_format_is_compressed(copy->to->vulkan_format)) {
         copy_blocks(replay, copy);

@@ -52,6 +52,17 @@ bool vulkan_region_is_within(VkImage image, const VkImageSubresourceLayers *part
                   : part->baseArrayLayer <= slices && part->layerCount <= slices - part->baseArrayLayer);
 }
 
+bool vulkan_region_is_empty(VkImage image, const VkImageSubresourceLayers *part, VkExtent3D extent,
+                            const char *what)
+{
+    const uint32_t depth = image->type == VK_IMAGE_TYPE_3D ? extent.depth : part->layerCount;
+    const bool is_empty = extent.width == 0 || extent.height == 0 || depth == 0;
+    if (is_empty) {
+        vulkan_log("%s: a region without texels is left out", what);
+    }
+    return is_empty;
+}
+
 struct vulkan_units vulkan_units_of(VkImage image, const VkImageSubresourceLayers *part, VkExtent3D extent)
 {
     const uint32_t width = (uint32_t)rhw_format_block_width(image->format);

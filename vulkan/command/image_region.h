@@ -14,6 +14,10 @@ struct rhw_texture_region vulkan_region(VkImage image, const VkImageSubresourceL
 bool vulkan_region_is_within(VkImage image, const VkImageSubresourceLayers *part, VkOffset3D offset,
                              VkExtent3D extent);
 
+// Return whether a region has no texels, which Vulkan forbids, and tell so. To librhw 0 texels are all there are.
+bool vulkan_region_is_empty(VkImage image, const VkImageSubresourceLayers *part, VkExtent3D extent,
+                            const char *what);
+
 // Rows of texels or blocks in memory.
 struct vulkan_rows {
     unsigned char *first;

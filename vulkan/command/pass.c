@@ -136,6 +136,10 @@ static void replay_begin_subpass(struct vulkan_replay *replay, const struct vulk
 {
     const struct vulkan_begin_subpass *const begin = (const struct vulkan_begin_subpass *)command;
     struct vulkan_pass_state *const pass = &replay->pass;
+    if (!pass->render_pass) {
+        vulkan_log("a subpass is begun, and no render pass has begun");
+        return;
+    }
     // More subpasses than there are, which Vulkan forbids, are the last one again.
     const bool has_next = pass->subpass_index + 1 < pass->render_pass->subpass_count;
     if (!has_next) {
@@ -164,6 +168,10 @@ static void replay_end_subpass(struct vulkan_replay *replay, const struct vulkan
 {
     (void)command;
     struct vulkan_pass_state *const pass = &replay->pass;
+    if (!pass->render_pass) {
+        vulkan_log("a render pass is ended that has not begun");
+        return;
+    }
     if (!pass->has_drawn && has_attachments(pass->subpass)) {
         vulkan_pass_open(replay, 0); // what is cleared or resolved
     }
