@@ -15,6 +15,8 @@
 #include <unistd.h>
 #endif
 
+#include "sanitizer.h"
+
 void system_huge_pages_prefer(void *block, size_t size)
 {
 #if defined(MADV_HUGEPAGE)
@@ -29,9 +31,11 @@ void system_huge_pages_prefer(void *block, size_t size)
 #endif
 }
 
+// Sanitizers have a heap of their own. In a child of a process with threads it may wait for ever when large blocks are
+// freed: it looks after what was freed before, under a lock that a thread of the parent held.
 void system_huge_pages_prefer_heap(size_t size)
 {
-#if defined(MADV_HUGEPAGE) && defined(__GLIBC__)
+#if defined(MADV_HUGEPAGE) && defined(__GLIBC__) && !SYSTEM_SANITIZED
     enum { PAGE = 4096, BLOCK = 31 << 20, LARGEST = 32 << 20, BLOCKS = 8 }; // bytes; blocks
     // Blocks up to the largest size that glibc allows come from the heap, and what is freed stays in it.
     (void)mallopt(M_MMAP_THRESHOLD, LARGEST);
