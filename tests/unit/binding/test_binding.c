@@ -187,7 +187,8 @@ static void expect_plane(const struct rig *rig, rhw_texture texture, bool is_pla
         rhw_float texel[4];
         rhw_binding_sample_fetch(&bound, at, NULL, texel);
         for (int x = 0; x < plane.width && x < RHW_LANES; x++) {
-            assert_memory_equal(&texel[0][x], &plane.texels[y * plane.pitch + x], sizeof(float));
+            const float fetched = texel[0][x];
+            assert_memory_equal(&fetched, &plane.texels[y * plane.pitch + x], sizeof fetched);
         }
     }
 }
