@@ -12,8 +12,8 @@ void system_huge_pages_prefer(void *block, size_t size);
 
 /// Lets malloc take blocks of less than 32 MiB from `size` bytes, 248 MiB at most, that are asked for on huge pages. A
 /// page fault costs 1.4 µs for 4 KiB and 90 µs for 2 MiB, and what is freed serves the next block. Not for a process
-/// that lives long, as nothing goes back to the system. Nothing happens under a sanitizer, and where the C library is not
-/// glibc.
+/// that lives long, as nothing goes back to the system. Nothing happens under a sanitizer, and where the C library is
+/// not glibc.
 void system_huge_pages_prefer_heap(size_t size);
 
 #endif

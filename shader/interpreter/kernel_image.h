@@ -3,6 +3,7 @@
 #ifndef SHADER_KERNEL_IMAGE_H
 #define SHADER_KERNEL_IMAGE_H
 
+#include "form/texel_plane.h"
 #include "kernel_memory.h"
 #include "rhw/shader_spirv.h"
 
@@ -185,18 +186,6 @@ static void access_image(const struct frame *frame, const struct rhw_binding *bi
     }
 }
 
-// Fetch what rhw_binding_sample_fetch gives of a plane. Numbers outside of it pick no texel.
-static void fetch_from_plane(const struct rhw_texel_plane *plane, rhw_int x, rhw_int y, rhw_float texel[4])
-{
-    const rhw_int width = rhw_splat_int(plane->width), height = rhw_splat_int(plane->height);
-    const rhw_int inside = ~(x >> 31) & ~(y >> 31) & rhw_less_int(x, width) & rhw_less_int(y, height);
-    const rhw_int row = rhw_min_int(rhw_max_int(y, 0), height) * plane->pitch;
-    const rhw_int number = rhw_select_int(inside, (rhw_int)((rhw_uint)row + (rhw_uint)x), rhw_splat_int(-1));
-    texel[0] = rhw_gather(plane->texels, plane->pitch * plane->height, number);
-    texel[1] = texel[2] = rhw_splat(0.0f);
-    texel[3] = rhw_splat(1.0f);
-}
-
 // Fetch texels of level 0 of one texture: nothing but coordinates differs from group to group.
 static void fetch_groups(struct frame *frame, const struct shader_operand_of *operands,
                          const struct shader_instruction *in, const struct rhw_binding *binding)
@@ -215,7 +204,10 @@ static void fetch_groups(struct frame *frame, const struct shader_operand_of *op
     }
     const struct rhw_texel_plane plane = rhw_binding_sample_plane(binding);
     for (ptrdiff_t g = frame->range.first; g < frame->range.end && plane.texels; g++) {
-        fetch_from_plane(&plane, from[0][g * steps[0]].i, from[1][g * steps[1]].i, frame->texels[g]);
+        rhw_float *const texel = frame->texels[g];
+        texel[0] = shader_fetch_texel(&plane, from[0][g * steps[0]].i, from[1][g * steps[1]].i);
+        texel[1] = texel[2] = rhw_splat(0.0f);
+        texel[3] = rhw_splat(1.0f);
     }
     for (ptrdiff_t g = frame->range.first; g < frame->range.end && !plane.texels; g++) {
         if (rhw_any(active[g].i)) {

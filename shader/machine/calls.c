@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "form/atomic.h"
+#include "form/texel_plane.h"
 #include "rhw/isa.h"
 #include "rhw/shader_binding.h"
 #include "rhw/shader_spirv.h"
@@ -380,18 +381,13 @@ static void call_FIND_PLANE(const struct shader_found *texture, struct shader_fo
 static rhw_float call_FETCH_PLANE(const struct shader_found_plane *found, rhw_int x, rhw_int y)
 {
     const struct rhw_texel_plane *const plane = &found->plane;
-    const rhw_int zero = rhw_splat_int(0);
     if (!plane->texels) {
-        const rhw_int at[4] = {x, y, zero, zero};
+        const rhw_int at[4] = {x, y, rhw_splat_int(0), rhw_splat_int(0)};
         rhw_float texel[4];
         rhw_binding_sample_fetch(found->binding, at, NULL, texel);
         return texel[0];
     }
-    const rhw_int outside =
-        rhw_less_int(x, zero) | ~rhw_less_int(x, rhw_splat_int(plane->width)) | rhw_less_int(y, zero);
-    const rhw_int row = rhw_max_int(rhw_min_int(y, rhw_splat_int(plane->height)), zero);
-    const rhw_int number = (rhw_int)((rhw_uint)(row * plane->pitch) + (rhw_uint)x); // x may be any number
-    return rhw_gather(plane->texels, plane->pitch * plane->height, number | outside);
+    return shader_fetch_texel(plane, x, y);
 }
 
 // Put what all lanes name into a table.

@@ -81,9 +81,10 @@ static const char *text_at(const char *const *texts, uint32_t count, uint64_t in
     return index < count ? texts[index] : "";
 }
 
-struct scene_blender_field scene_blender_find_field(const struct scene_blender_dump *dump,
-                                                    const struct scene_blender_dna *dna, uint32_t index,
-                                                    const char *name)
+// Find a field of a struct by its name, with its * and without its [].
+static struct scene_blender_field find_field(const struct scene_blender_dump *dump,
+                                             const struct scene_blender_dna *dna, uint32_t index,
+                                             const char *name)
 {
     const size_t at = dna->structs[index], length = strlen(name);
     const uint64_t count = scene_blender_number(dump, at + 2, 2);
@@ -110,7 +111,8 @@ uint64_t scene_blender_read(const struct scene_blender_dump *dump, size_t at,
     return scene_blender_number(dump, at + field.at, field.size < 8 ? field.size : 8);
 }
 
-bool scene_blender_is(const struct scene_blender_dump *dump, const struct scene_blender_dna *dna,
+// Return true if a struct of the DNA has this name.
+static bool is_struct(const struct scene_blender_dump *dump, const struct scene_blender_dna *dna,
                       uint32_t index, const char *name)
 {
     const uint64_t type =
@@ -122,20 +124,32 @@ struct scene_blender_field scene_blender_find_in_id(const struct scene_blender_d
                                                     const struct scene_blender_dna *dna, const char *name)
 {
     for (uint32_t i = 0; i < dna->struct_count; i++) {
-        if (scene_blender_is(dump, dna, i, "ID")) {
-            return scene_blender_find_field(dump, dna, i, name);
+        if (is_struct(dump, dna, i, "ID")) {
+            return find_field(dump, dna, i, name);
         }
     }
     return (struct scene_blender_field){0, 0};
 }
 
-size_t scene_blender_size(const struct scene_blender_dump *dump, const struct scene_blender_dna *dna,
-                          uint32_t index)
+bool scene_blender_is_kind(const struct scene_blender_file *file, const struct scene_blender_block *block,
+                           const struct scene_blender_kind *kind, struct scene_blender_layout *layout)
 {
-    return index < dna->struct_count
-               ? (size_t)scene_blender_number(
-                     dump, dna->sizes + 2 * (size_t)scene_blender_number(dump, dna->structs[index], 2), 2)
-               : 0;
+    const struct scene_blender_dump *const dump = &file->dump;
+    const struct scene_blender_dna *const dna = &file->dna;
+    if (memcmp(block->code, kind->code, 4) != 0) {
+        return false;
+    }
+    if (!layout->is_known && is_struct(dump, dna, block->index, kind->type)) {
+        const size_t type = (size_t)scene_blender_number(dump, dna->structs[block->index], 2);
+        *layout = (struct scene_blender_layout){
+            .is_known = true,
+            .index = block->index,
+            .size = (size_t)scene_blender_number(dump, dna->sizes + 2 * type, 2)};
+        for (size_t i = 0; i < SCENE_BLENDER_FIELDS && kind->fields[i] != NULL; i++) {
+            layout->fields[i] = find_field(dump, dna, block->index, kind->fields[i]);
+        }
+    }
+    return layout->is_known && layout->index == block->index;
 }
 
 // Return the bytes of a file, which may be compressed by gzip. Return NULL if they cannot be read.

@@ -42,22 +42,32 @@ struct scene_blender_file {
     unsigned char *bytes;
 };
 
+enum { SCENE_BLENDER_FIELDS = 5 };
+
+/// A kind of block: its code, the name of its struct, and the fields that are looked at.
+struct scene_blender_kind {
+    const char *code, *type, *fields[SCENE_BLENDER_FIELDS];
+};
+
+/// Where the fields of a kind are. They are looked up once, as a hostile file has many blocks, and many fields in a
+/// struct. A zeroed layout is not known yet.
+struct scene_blender_layout {
+    bool is_known;
+    uint32_t index; ///< number of the struct in the DNA
+    size_t size;    ///< bytes of the struct
+    struct scene_blender_field fields[SCENE_BLENDER_FIELDS];
+};
+
 /// Read the file of an import, which may be compressed by gzip. Return false if it is no Blender file with a DNA.
 bool scene_blender_open(struct scene_import *import, struct scene_blender_file *file);
 void scene_blender_close(struct scene_blender_file *file);
 /// Read the block at a place, and set the place of the next. Return false at the end, or where a block is cut.
 bool scene_blender_next(const struct scene_blender_dump *dump, size_t *at, struct scene_blender_block *block);
 uint64_t scene_blender_number(const struct scene_blender_dump *dump, size_t at, size_t count);
-/// Return true if a struct of the DNA has this name.
-bool scene_blender_is(const struct scene_blender_dump *dump, const struct scene_blender_dna *dna,
-                      uint32_t index, const char *name);
-/// Return the size of a struct of the DNA, or 0.
-size_t scene_blender_size(const struct scene_blender_dump *dump, const struct scene_blender_dna *dna,
-                          uint32_t index);
-/// Find a field of a struct by its name, with its * and without its [].
-struct scene_blender_field scene_blender_find_field(const struct scene_blender_dump *dump,
-                                                    const struct scene_blender_dna *dna, uint32_t index,
-                                                    const char *name);
+/// Return true if a block is of a kind, whose layout is known then. It is that of the first struct that is met, and
+/// blocks of another one are of no kind.
+bool scene_blender_is_kind(const struct scene_blender_file *file, const struct scene_blender_block *block,
+                           const struct scene_blender_kind *kind, struct scene_blender_layout *layout);
 /// Find a field of the ID, with which things that have names begin.
 struct scene_blender_field scene_blender_find_in_id(const struct scene_blender_dump *dump,
                                                     const struct scene_blender_dna *dna, const char *name);

@@ -9,24 +9,11 @@
 
 enum kind { OBJECT, SCENE, MATERIAL, BASE, KINDS };
 
-enum { MOST_FIELDS = 5 };
-
-// Kinds of blocks that are looked at, and the fields of their structs.
-static const struct {
-    const char *code, *type, *fields[MOST_FIELDS];
-} kinds[KINDS] = {
+static const struct scene_blender_kind kinds[KINDS] = {
     [OBJECT] = {"OB\0", "Object", {"type", "restrictflag", "lay", "*dup_group", "particlesystem"}},
     [SCENE] = {"SC\0", "Scene", {"lay", "base"}},
     [MATERIAL] = {"MA\0", "Material", {"use_nodes"}},
     [BASE] = {"DATA", "Base", {"*next", "*object"}}, // a link of the list of a scene's objects
-};
-
-// Where the fields of a kind are. They are looked up once, as a hostile file has many blocks, and many fields in a
-// struct.
-struct layout {
-    bool is_known;
-    uint32_t index; // number of the struct in the DNA
-    struct scene_blender_field fields[MOST_FIELDS];
 };
 
 // A block of an object or of a base.
@@ -39,9 +26,8 @@ struct block {
 
 struct look {
     struct scene_import *import;
-    const struct scene_blender_dump *dump;
-    const struct scene_blender_dna *dna;
-    struct layout layouts[KINDS];
+    const struct scene_blender_file *file;
+    struct scene_blender_layout layouts[KINDS];
     struct scene_blender_field users, flags; // in the ID of a thing
     bool has_scene;
     uint64_t layers; // layers of the first scene that are shown. 0 if none is known
@@ -50,19 +36,6 @@ struct look {
     size_t block_count, block_capacity;
     struct scene_hash_table places; // finds blocks by their addresses
 };
-
-// Return where the fields of a kind of block are. Return NULL for a block of another struct than the first of its kind.
-static const struct scene_blender_field *find_layout(struct look *look, enum kind kind, uint32_t index)
-{
-    struct layout *const layout = &look->layouts[kind];
-    if (!layout->is_known && scene_blender_is(look->dump, look->dna, index, kinds[kind].type)) {
-        *layout = (struct layout){.is_known = true, .index = index};
-        for (size_t i = 0; i < MOST_FIELDS && kinds[kind].fields[i] != NULL; i++) {
-            layout->fields[i] = scene_blender_find_field(look->dump, look->dna, index, kinds[kind].fields[i]);
-        }
-    }
-    return layout->is_known && layout->index == index ? layout->fields : NULL;
-}
 
 static void look_at_object(const struct look *look, const struct scene_blender_field *fields, size_t at)
 {
@@ -73,11 +46,11 @@ static void look_at_object(const struct look *look, const struct scene_blender_f
     } others[] = {{2, "curves"},        {3, "surfaces"},       {4, "text"},
                   {5, "metaballs"},     {26, "grease pencil"}, {27, "hair"},
                   {28, "point clouds"}, {29, "volumes"},       {30, "grease pencil"}};
-    uint64_t values[MOST_FIELDS];
-    for (size_t i = 0; i < MOST_FIELDS; i++) {
+    uint64_t values[SCENE_BLENDER_FIELDS];
+    for (size_t i = 0; i < SCENE_BLENDER_FIELDS; i++) {
         struct scene_blender_field field = fields[i];
-        field.size = field.size > look->dump->pointer ? look->dump->pointer : field.size;
-        values[i] = scene_blender_read(look->dump, at, field);
+        field.size = field.size > look->file->dump.pointer ? look->file->dump.pointer : field.size;
+        values[i] = scene_blender_read(&look->file->dump, at, field);
     }
     for (size_t i = 0; i < sizeof others / sizeof others[0]; i++) {
         if (values[0] == others[i].type) {
@@ -134,11 +107,11 @@ static bool mark_drawn(struct look *look)
             return false;
         }
         struct block *const object =
-            find_block(look, OBJECT, scene_blender_read(look->dump, base->at, fields[1]));
+            find_block(look, OBJECT, scene_blender_read(&look->file->dump, base->at, fields[1]));
         if (object != NULL) {
             object->is_drawn = true;
         }
-        address = scene_blender_read(look->dump, base->at, fields[0]);
+        address = scene_blender_read(&look->file->dump, base->at, fields[0]);
     }
     return look->first != 0;
 }
@@ -157,27 +130,27 @@ static void look_at_objects(struct look *look)
 static bool is_used(const struct look *look, size_t at)
 {
     enum { IS_KEPT = 1 << 9 };
-    const uint64_t kept = (scene_blender_read(look->dump, at, look->flags) & IS_KEPT) != 0;
-    return look->users.size == 0 || scene_blender_read(look->dump, at, look->users) > kept;
+    const uint64_t kept = (scene_blender_read(&look->file->dump, at, look->flags) & IS_KEPT) != 0;
+    return look->users.size == 0 || scene_blender_read(&look->file->dump, at, look->users) > kept;
 }
 
-static void look_at_block(struct look *look, const char *code, uint32_t index, uint64_t address, size_t at)
+static void look_at_block(struct look *look, const struct scene_blender_block *block)
 {
+    const size_t at = block->at;
     for (enum kind kind = 0; kind < KINDS; kind++) {
-        const bool is_kind = memcmp(code, kinds[kind].code, 4) == 0;
-        const struct scene_blender_field *const fields = is_kind ? find_layout(look, kind, index) : NULL;
-        if (fields == NULL) {
+        const struct scene_blender_field *const fields = look->layouts[kind].fields;
+        if (!scene_blender_is_kind(look->file, block, &kinds[kind], &look->layouts[kind])) {
             continue;
         }
         if (kind == OBJECT || kind == BASE) {
-            add_block(look, (struct block){.address = address, .at = at, .kind = kind});
+            add_block(look, (struct block){.address = block->address, .at = at, .kind = kind});
         } else if (kind == SCENE && !look->has_scene) {
             look->has_scene = true;
-            look->layers = scene_blender_read(look->dump, at, fields[0]);
-            look->first = fields[1].size == 0
-                              ? 0
-                              : scene_blender_number(look->dump, at + fields[1].at, look->dump->pointer);
-        } else if (kind == MATERIAL && scene_blender_read(look->dump, at, fields[0]) != 0 &&
+            look->layers = scene_blender_read(&look->file->dump, at, fields[0]);
+            look->first = fields[1].size == 0 ? 0
+                                              : scene_blender_number(&look->file->dump, at + fields[1].at,
+                                                                     look->file->dump.pointer);
+        } else if (kind == MATERIAL && scene_blender_read(&look->file->dump, at, fields[0]) != 0 &&
                    is_used(look, at)) {
             scene_import_unsupported(look->import, "materials of nodes (Blender): drawn plain");
         }
@@ -191,13 +164,12 @@ void scene_assimp_look_at_blender(struct scene_import *import)
         return;
     }
     struct look look = {.import = import,
-                        .dump = &file.dump,
-                        .dna = &file.dna,
+                        .file = &file,
                         .users = scene_blender_find_in_id(&file.dump, &file.dna, "us"),
                         .flags = scene_blender_find_in_id(&file.dump, &file.dna, "flag")};
     struct scene_blender_block block;
     for (size_t at = file.first; scene_blender_next(&file.dump, &at, &block);) {
-        look_at_block(&look, block.code, block.index, block.address, block.at);
+        look_at_block(&look, &block);
     }
     look_at_objects(&look);
     free(look.blocks);

@@ -11,24 +11,12 @@
 
 enum kind { OBJECT, MESH, POLYGONS, FACES, KINDS };
 
-enum { MOST_FIELDS = 3 };
-
-// Kinds of blocks that are looked at, and the fields of their structs. Files have polygons since version 2.63.
-static const struct {
-    const char *code, *type, *fields[MOST_FIELDS];
-} kinds[KINDS] = {
+// Files have polygons since version 2.63.
+static const struct scene_blender_kind kinds[KINDS] = {
     [OBJECT] = {"OB\0", "Object", {"type", "*data", "id"}},
     [MESH] = {"ME\0", "Mesh", {"flag", "*mpoly", "*mface"}},
     [POLYGONS] = {"DATA", "MPoly", {"flag"}},
     [FACES] = {"DATA", "MFace", {"flag"}},
-};
-
-// Where the fields of a kind are, which are looked up once.
-struct layout {
-    bool is_known;
-    uint32_t index; // number of the struct in the DNA
-    size_t size;
-    struct scene_blender_field fields[MOST_FIELDS];
 };
 
 struct part {
@@ -41,7 +29,7 @@ struct part {
 struct look {
     struct scene_import *import;
     const struct scene_blender_file *file;
-    struct layout layouts[KINDS];
+    struct scene_blender_layout layouts[KINDS];
     struct scene_blender_field name; // in the ID of a thing
     struct part *parts;
     size_t count, capacity;
@@ -66,31 +54,14 @@ static struct part *find_part(const struct look *look, enum kind kind, uint64_t 
     return i == UINT32_MAX ? NULL : &look->parts[i];
 }
 
-// Return true if a block has structs of a kind, whose fields are then known.
-static bool is_kind(struct look *look, const struct scene_blender_block *block, enum kind kind)
-{
-    const struct scene_blender_dump *const dump = &look->file->dump;
-    const struct scene_blender_dna *const dna = &look->file->dna;
-    struct layout *const layout = &look->layouts[kind];
-    if (memcmp(block->code, kinds[kind].code, 4) != 0) {
-        return false;
-    }
-    if (!layout->is_known && scene_blender_is(dump, dna, block->index, kinds[kind].type)) {
-        *layout = (struct layout){.is_known = true, .index = block->index};
-        layout->size = scene_blender_size(dump, dna, block->index);
-        for (size_t i = 0; i < MOST_FIELDS && kinds[kind].fields[i] != NULL; i++) {
-            layout->fields[i] = scene_blender_find_field(dump, dna, block->index, kinds[kind].fields[i]);
-        }
-    }
-    return layout->is_known && layout->index == block->index && layout->size > 0;
-}
-
 static void collect(struct look *look)
 {
     struct scene_blender_block block;
     for (size_t at = look->file->first; scene_blender_next(&look->file->dump, &at, &block);) {
         for (enum kind kind = 0; kind < KINDS; kind++) {
-            if (is_kind(look, &block, kind) && find_part(look, kind, block.address) == NULL) {
+            struct scene_blender_layout *const layout = &look->layouts[kind];
+            if (scene_blender_is_kind(look->file, &block, &kinds[kind], layout) && layout->size > 0 &&
+                find_part(look, kind, block.address) == NULL) {
                 scene_import_reserve(look->import, &look->parts, &look->capacity, look->count + 1,
                                      sizeof *look->parts);
                 scene_hash_add(look->import, &look->places, hash_of(kind, block.address),
@@ -105,7 +76,7 @@ static void collect(struct look *look)
 static void count_faces(const struct look *look, struct part *part)
 {
     enum { SMOOTH = 1 };
-    const struct layout *const layout = &look->layouts[part->kind];
+    const struct scene_blender_layout *const layout = &look->layouts[part->kind];
     for (size_t at = 0; !part->is_counted && part->block.size - at >= layout->size; at += layout->size) {
         const bool is_smooth =
             (scene_blender_read(&look->file->dump, part->block.at + at, layout->fields[0]) & SMOOTH) != 0;
@@ -197,6 +168,9 @@ enum scene_blender_shading scene_blender_shading(const struct scene_blender_shad
 
 void scene_blender_free_shadings(struct scene_blender_shadings *shadings)
 {
+    for (size_t i = 0; i < shadings->count; i++) {
+        free(shadings->list[i].name);
+    }
     free(shadings->list);
     free(shadings->names.entries);
 }

@@ -12,7 +12,7 @@ enum scene_blender_shading {
 };
 
 struct scene_blender_shaded {
-    const char *name;
+    char *name;
     enum scene_blender_shading shading;
 };
 

@@ -4,29 +4,18 @@
 // beside it is. Many programs write no groups at all. There faces are smooth together across edges that are no creases.
 #include "smoothing_groups.h"
 
+#include "chunks_3ds.h"
 #include "import/builder/vector.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-enum { HEAD = 6, POINT = 12, FACE = 8, GROUP = 4, GROUPS = 32 };
-enum { FILE_CHUNK = 0x4d4d, EDITOR = 0x3d3d, OBJECT = 0x4000, MESH = 0x4100 };
-enum { POINTS = 0x4110, FACES = 0x4120, SMOOTHING = 0x4150 };
-
-// Chunks of a file, from `at` to `end`.
-struct chunks {
-    size_t at, end;
-};
-
-struct chunk {
-    size_t at, kind;
-    struct chunks content;
-};
+enum { POINT = 12, FACE = 8, GROUP = 4, GROUPS = 32 };
 
 struct mesh {
     size_t points, point_count;
     size_t faces, face_count;
-    struct chunk list; // the faces, and what belongs to them
+    struct scene_3ds_chunk list; // the faces, and what belongs to them
     size_t list_end;   // where the last chunk of the list ends, behind which may be bytes that are none
     size_t groups;     // place of the groups of the faces, or 0
     uint32_t *corners; // three for each face: points at one place have one number
@@ -40,52 +29,31 @@ struct work {
     const unsigned char *bytes;
 };
 
-static size_t read_little(const unsigned char *bytes, size_t count)
-{
-    size_t number = 0;
-    for (size_t i = count; i > 0; i--) {
-        number = number << 8 | bytes[i - 1];
-    }
-    return number;
-}
-
-// Take the next chunk. Return false at the end, or where one is cut.
-static bool next_chunk(const struct work *work, struct chunks *chunks, struct chunk *chunk)
-{
-    const size_t size = chunks->end - chunks->at < HEAD ? 0 : read_little(work->bytes + chunks->at + 2, 4);
-    if (size < HEAD || size > chunks->end - chunks->at) {
-        return false;
-    }
-    *chunk = (struct chunk){
-        chunks->at, read_little(work->bytes + chunks->at, 2), {chunks->at + HEAD, chunks->at + size}};
-    chunks->at += size;
-    return true;
-}
-
 // Read a count and so many things of a size. Return the place of the first, or 0 if they are not there.
-static size_t read_list(const struct work *work, struct chunks content, size_t size, size_t *count)
+static size_t read_list(struct scene_3ds_chunks content, size_t size, size_t *count)
 {
     const size_t length = content.end - content.at;
-    *count = length < 2 ? 0 : read_little(work->bytes + content.at, 2);
+    *count = length < 2 ? 0 : scene_3ds_number(content.bytes + content.at, 2);
     return *count > 0 && *count <= (length - 2) / size ? content.at + 2 : 0;
 }
 
-static struct mesh read_mesh(const struct work *work, struct chunks chunks)
+static struct mesh read_mesh(struct scene_3ds_chunks chunks)
 {
     struct mesh mesh = {.points = 0};
-    struct chunk chunk;
-    while (next_chunk(work, &chunks, &chunk)) {
-        if (chunk.kind == POINTS) {
-            mesh.points = read_list(work, chunk.content, POINT, &mesh.point_count);
-        } else if (chunk.kind == FACES) {
-            mesh.faces = read_list(work, chunk.content, FACE, &mesh.face_count);
+    struct scene_3ds_chunk chunk;
+    while (scene_3ds_next(&chunks, &chunk)) {
+        if (chunk.kind == SCENE_3DS_POINTS) {
+            mesh.points = read_list(chunk.content, POINT, &mesh.point_count);
+        } else if (chunk.kind == SCENE_3DS_FACES) {
+            mesh.faces = read_list(chunk.content, FACE, &mesh.face_count);
             mesh.list = chunk;
         }
     }
-    struct chunks lists = {mesh.faces + FACE * mesh.face_count, mesh.list.content.end};
-    while (mesh.faces != 0 && next_chunk(work, &lists, &chunk)) {
+    struct scene_3ds_chunks lists = {chunks.bytes, mesh.faces + FACE * mesh.face_count,
+                                     mesh.list.content.end};
+    while (mesh.faces != 0 && scene_3ds_next(&lists, &chunk)) {
         const bool has_all = (chunk.content.end - chunk.content.at) / GROUP >= mesh.face_count;
-        mesh.groups = chunk.kind == SMOOTHING && has_all ? chunk.content.at : mesh.groups;
+        mesh.groups = chunk.kind == SCENE_3DS_SMOOTHING && has_all ? chunk.content.at : mesh.groups;
     }
     mesh.list_end = lists.at;
     return mesh;
@@ -122,7 +90,7 @@ static bool set_corners(const struct work *work, struct mesh *mesh)
         numbers[points[i].number] = is_same ? numbers[points[i - 1].number] : points[i].number;
     }
     for (size_t i = 0; i < 3 * mesh->face_count; i++) {
-        const size_t point = read_little(work->bytes + mesh->faces + FACE * (i / 3) + 2 * (i % 3), 2);
+        const size_t point = scene_3ds_number(work->bytes + mesh->faces + FACE * (i / 3) + 2 * (i % 3), 2);
         are_there = are_there && point < mesh->point_count;
         mesh->corners[i] = are_there ? numbers[point] : 0;
     }
@@ -239,27 +207,30 @@ static void set_groups(const struct work *work, struct mesh *mesh)
     free(taken);
 }
 
+static void write_number(unsigned char *bytes, size_t number, size_t count)
+{
+    for (size_t i = 0; i < count; i++) {
+        bytes[i] = (unsigned char)(number >> 8 * i);
+    }
+}
+
+// Write another number of 4 bytes.
 static void add_number(const struct work *work, size_t at, size_t number)
 {
     unsigned char *const bytes = scene_import_allocate(work->import, 4, 1);
-    for (size_t i = 0; i < 4; i++) {
-        bytes[i] = (unsigned char)(number >> 8 * i);
-    }
+    write_number(bytes, number, 4);
     scene_edits_add(work->import, work->edits, (struct scene_edit){at, 4, (char *)bytes, 4});
 }
 
 // Add the chunk of groups behind those of the list of faces. Return its size.
 static size_t add_chunk(const struct work *work, const struct mesh *mesh)
 {
-    const size_t size = HEAD + GROUP * mesh->face_count;
+    const size_t size = SCENE_3DS_HEAD + GROUP * mesh->face_count;
     unsigned char *const bytes = scene_import_allocate(work->import, size, 1);
-    bytes[0] = SMOOTHING & 255;
-    bytes[1] = SMOOTHING >> 8;
-    for (size_t i = 0; i < 4; i++) {
-        bytes[2 + i] = (unsigned char)(size >> 8 * i);
-    }
-    for (size_t i = 0; i < GROUP * mesh->face_count; i++) {
-        bytes[HEAD + i] = (unsigned char)(mesh->sets[i / GROUP] >> 8 * (i % GROUP));
+    write_number(bytes, SCENE_3DS_SMOOTHING, 2);
+    write_number(bytes + 2, size, 4);
+    for (size_t i = 0; i < mesh->face_count; i++) {
+        write_number(bytes + SCENE_3DS_HEAD + GROUP * i, mesh->sets[i], GROUP);
     }
     scene_edits_add(work->import, work->edits, (struct scene_edit){mesh->list_end, 0, (char *)bytes, size});
     add_number(work, mesh->list.at + 2, mesh->list.content.end - mesh->list.at + size);
@@ -267,9 +238,9 @@ static size_t add_chunk(const struct work *work, const struct mesh *mesh)
 }
 
 // Give the faces of a mesh groups. Return how much longer it becomes.
-static size_t group_mesh(const struct work *work, struct chunks chunks)
+static size_t group_mesh(const struct work *work, struct scene_3ds_chunks chunks)
 {
-    struct mesh mesh = read_mesh(work, chunks);
+    struct mesh mesh = read_mesh(chunks);
     size_t longer = 0, ungrouped = 0;
     if (mesh.points == 0 || mesh.faces == 0) {
         return 0;
@@ -279,7 +250,7 @@ static size_t group_mesh(const struct work *work, struct chunks chunks)
     mesh.parts = scene_import_allocate(work->import, mesh.face_count, sizeof *mesh.parts);
     for (uint32_t i = 0; i < mesh.face_count; i++) {
         mesh.sets[i] =
-            mesh.groups == 0 ? 0 : (uint32_t)read_little(work->bytes + mesh.groups + GROUP * i, GROUP);
+            mesh.groups == 0 ? 0 : (uint32_t)scene_3ds_number(work->bytes + mesh.groups + GROUP * i, GROUP);
         mesh.parts[i] = i;
         ungrouped += mesh.sets[i] == 0;
     }
@@ -300,22 +271,17 @@ static size_t group_mesh(const struct work *work, struct chunks chunks)
 }
 
 // Give the faces of all meshes within chunks groups. Return how much longer the chunks become.
-static size_t group_chunks(const struct work *work, struct chunks chunks, int depth)
+static size_t group_chunks(const struct work *work, struct scene_3ds_chunks chunks, int depth)
 {
     enum { DEEPEST = 4 };
     size_t longer = 0;
-    struct chunk chunk;
-    while (depth < DEEPEST && next_chunk(work, &chunks, &chunk)) {
-        const size_t length = chunk.content.end - chunk.content.at;
-        const unsigned char *const name = work->bytes + chunk.content.at, *const zero =
-                                                                              chunk.kind == OBJECT
-                                                                                  ? memchr(name, 0, length)
-                                                                                  : NULL;
-        chunk.content.at += zero == NULL ? 0 : (size_t)(zero - name) + 1;
-        const size_t more = chunk.kind == MESH ? group_mesh(work, chunk.content)
-                            : chunk.kind == FILE_CHUNK || chunk.kind == EDITOR || chunk.kind == OBJECT
-                                ? group_chunks(work, chunk.content, depth + 1)
-                                : 0;
+    struct scene_3ds_chunk chunk;
+    while (depth < DEEPEST && scene_3ds_next(&chunks, &chunk)) {
+        const size_t more =
+            chunk.kind == SCENE_3DS_MESH ? group_mesh(work, chunk.content)
+            : chunk.kind == SCENE_3DS_FILE || chunk.kind == SCENE_3DS_EDITOR || chunk.kind == SCENE_3DS_OBJECT
+                ? group_chunks(work, chunk.content, depth + 1)
+                : 0;
         if (more > 0) {
             add_number(work, chunk.at + 2, chunk.content.end - chunk.at + more);
         }
@@ -328,5 +294,5 @@ void scene_assimp_group_faces(struct scene_import *import, struct scene_edits *e
                               size_t size)
 {
     const struct work work = {import, edits, bytes};
-    group_chunks(&work, (struct chunks){0, size}, 0);
+    group_chunks(&work, (struct scene_3ds_chunks){bytes, 0, size}, 0);
 }
