@@ -4,6 +4,7 @@
 #define SHADER_TEXEL_PLANE_H
 
 #include "rhw/shader_binding.h"
+#include "rhw/shader_memory.h"
 
 // Return the first component of what rhw_binding_sample_fetch gives of a plane. Numbers outside of it pick no texel.
 static inline rhw_float shader_fetch_texel(const struct rhw_texel_plane *plane, rhw_int x, rhw_int y)
