@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 // How often a loop goes round, where it counts from one constant to another. Its rounds are then translated one behind
 // the other, so that what the counter picks of arrays is known: a component of an input or a home, no comparison with
-// all there are and no memory of the lane. Other loops stay loops.
+// all there are and no memory of the lane. A few rounds of any loop save the masks of the loop. Other loops stay loops.
 #include "build_flow.h"
 
 enum {
     MAX_ROUNDS = 64,
     MAX_WORDS = 1 << 14, // words of all rounds of a shader
+    FEW_ROUNDS = 4,      // a loop that counts no further needs no index to save something
+    FEW_WORDS = 1 << 12, // words of all rounds of a loop without an index
     MAX_DEPTH = 4        // operations between the counter and an index, and blocks between header and test
 };
 
@@ -301,16 +303,23 @@ static bool is_read_behind(const struct loop *loop)
     return false;
 }
 
-// Return about how much the body is translated to: its words, and the numbers of values that they make or store. Bodies
-// of functions are too much.
-static uint64_t cost_of(const struct loop *loop)
+// Return about how much words are translated to: how many there are, and the numbers of values that they make or store.
+// Functions that they call count too.
+static uint64_t cost_of(const struct loop *loop, uint32_t begin, uint32_t end, int depth)
 {
     const struct shader_module *const module = loop->builder->module;
-    uint64_t cost = loop->end - loop->begin;
-    for (uint32_t word = loop->begin; word < loop->end; word += module->words[word] >> 16) {
+    uint64_t cost = end - begin;
+    shader_spend(loop->builder, end - begin);
+    for (uint32_t word = begin; word < end && cost < MAX_WORDS; word += module->words[word] >> 16) {
         const uint32_t *const words = module->words + word, count = words[0] >> 16;
         if ((words[0] & 0xffff) == SPIRV_OP_FunctionCall) {
-            return MAX_WORDS;
+            const struct shader_function *const function =
+                count > 3 && words[3] < module->bound && module->ids[words[3]].opcode == SPIRV_OP_Function
+                    ? module->ids[words[3]].data.as_function
+                    : NULL;
+            cost += function && depth < MAX_DEPTH ? cost_of(loop, function->word, function->end, depth + 1)
+                                                  : MAX_WORDS;
+            continue;
         }
         const uint32_t id = (words[0] & 0xffff) == SPIRV_OP_Store ? words[2] : count > 2 ? words[2] : 0;
         const uint32_t type = id < module->bound ? module->ids[id].type : 0;
@@ -435,12 +444,14 @@ bool shader_count_rounds(struct shader_builder *builder, struct shader_rounds *r
     }
     rounds->from = if_true != 0 ? if_true : if_false;
     bool leaves_early = false;
-    if (!picks(&loop) || !is_closed(&loop, &leaves_early)) {
+    const bool has_index = picks(&loop);
+    if ((!has_index && rounds->count > FEW_ROUNDS) || !is_closed(&loop, &leaves_early)) {
         return false;
     }
     // What looks at all of the function comes last: few loops get here, since their words are counted.
-    const uint64_t cost = cost_of(&loop) * (rounds->count + 1);
-    if (cost > MAX_WORDS - builder->repeated || has_alias(&loop) || (leaves_early && is_read_behind(&loop))) {
+    const uint64_t cost = cost_of(&loop, loop.begin, loop.end, 0) * (rounds->count + 1);
+    if (cost > (has_index ? MAX_WORDS : FEW_WORDS) || cost > MAX_WORDS - builder->repeated ||
+        has_alias(&loop) || (leaves_early && is_read_behind(&loop))) {
         return false;
     }
     builder->repeated += (uint32_t)cost;

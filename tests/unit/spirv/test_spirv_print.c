@@ -55,7 +55,7 @@ static const char text[] = "layout(location = 0) in vec3 normal;\n"
                            "void main()\n"
                            "{\n"
                            "    vec2 sum = vec2(0);\n"
-                           "    for (int i = 0; i < 4; i++) {\n"
+                           "    for (int i = 0; i < 6; i++) {\n"
                            "        if (normal.y > 0.25) {\n"
                            "            sum.y += normal.x * light.tint;\n"
                            "        }\n"
@@ -71,9 +71,9 @@ static void test_the_form_stands_beside_its_source(void **state)
         " = input normal.x\n",
         " = resource light (set 2, binding 5)\n",
         "\n; x.frag:6  vec2 sum = vec2(0);\n",
-        "; x.frag:7  for (int i = 0; i < 4; i++) {\n",
+        "; x.frag:7  for (int i = 0; i < 6; i++) {\n",
         " = loop\n    ",
-        ".i 4\n",
+        ".i 6\n",
         "; x.frag:8  if (normal.y > 0.25) {\n",
         " = fless 0.25 v",
         "            ; x.frag:9  sum.y += normal.x * light.tint;\n            u",

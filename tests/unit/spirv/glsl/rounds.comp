@@ -14,6 +14,14 @@ int find(in int numbers[9], int wanted)
     return -1;
 }
 
+int turn(int sum, int by)
+{
+    if (sum > 1000) {
+        return sum - 7 * by;
+    }
+    return 3 * sum + by;
+}
+
 void main()
 {
     const uint i = gl_GlobalInvocationID.x;
@@ -93,5 +101,13 @@ void main()
     do {
         last = last * 3 + numbers[j];
     } while (++j < 9);
-    sink[8 * i + 7] = last;
+    // Few rounds of a counter that is no index, with a function in them, and more rounds.
+    int turned = given;
+    for (int k = 0; k < 4; k++) {
+        turned = turn(turned, k + given);
+    }
+    for (int k = 0; k < 5; k++) {
+        turned ^= given + k;
+    }
+    sink[8 * i + 7] = last + turned;
 }
