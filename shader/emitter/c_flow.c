@@ -39,7 +39,7 @@ static void write_set(struct shader_emitter *emitter, const struct shader_node *
         return; // it is in the home already
     }
     // Where lanes go one way, those that are not active never read the home again.
-    if (emitter->divergence == 0 || (emitter->form->nodes[home].flags & SHADER_UNIFORM)) {
+    if (emitter->divergence == 0 || shader_is_shared(emitter->form, home)) {
         shader_text_line(emitter->out, "%s = %s;", name, value);
         return;
     }

@@ -187,7 +187,7 @@ static void write_own_load(struct shader_emitter *emitter, uint32_t value)
 {
     const struct shader_node *const node = &emitter->form->nodes[value];
     const bool is_private = emitter->form->nodes[node->operands[0]].op == SHADER_PRIVATE;
-    const bool is_alike = (emitter->form->nodes[node->operands[1]].flags & SHADER_UNIFORM) != 0;
+    const bool is_alike = shader_is_shared(emitter->form, node->operands[1]);
     const unsigned count = is_private ? emitter->form->private_count : emitter->form->table_count;
     const char *const text = shader_format(
         emitter->memory, "%s%s(%s, %u, %s)", is_private ? "rhw_spirv_own" : "rhw_spirv_table",
@@ -201,7 +201,7 @@ static void write_own_load(struct shader_emitter *emitter, uint32_t value)
 
 static void write_own_store(struct shader_emitter *emitter, const struct shader_node *node)
 {
-    const bool is_alike = (emitter->form->nodes[node->operands[1]].flags & SHADER_UNIFORM) != 0;
+    const bool is_alike = shader_is_shared(emitter->form, node->operands[1]);
     shader_text_line(emitter->out, "rhw_spirv_own_store%s(own, %u, %s, %s, m%u);", is_alike ? "_alike" : "",
                      (unsigned)emitter->form->private_count, own_index(emitter, node, is_alike),
                      shader_c_argument(emitter, node->operands[2], false), (unsigned)emitter->mask);
@@ -213,7 +213,7 @@ static const char *begin_reading(struct shader_emitter *emitter, const struct sh
                                  uint32_t buffer, const char **lanes)
 {
     const uint32_t active = emitter->mask;
-    if (node->flags & SHADER_UNIFORM) {
+    if (node->flags & SHADER_DYNAMICALLY_UNIFORM) {
         emitter->mask = shader_c_new_mask(emitter);
         shader_text_line(emitter->out, "const rhw_int m%u = rhw_splat_int(-1);", (unsigned)emitter->mask);
     }
@@ -232,7 +232,7 @@ static void write_load(struct shader_emitter *emitter, uint32_t value)
     }
     const uint32_t buffer = shader_c_resource(emitter, node->operands[0]);
     const bool is_float = emitter->plan.is_float[value], is_one = shader_c_is_one_binding(emitter, buffer);
-    if ((node->flags & SHADER_UNIFORM) && is_one) {
+    if (shader_is_shared(emitter->form, value) && is_one) {
         shader_c_define(emitter, value, load_alike(emitter, node, is_float), "");
         return;
     }

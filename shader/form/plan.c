@@ -45,15 +45,6 @@ static void find_structures(struct shader_memory *memory, struct shader_plan *pl
             stack[depth++] = i;
             block_stack[depth] = ++blocks;
         }
-        const bool is_varying_leave = op == SHADER_LEAVE && !is_uniform(plan, node->operands[0]);
-        for (uint32_t d = depth; (is_varying_leave || op == SHADER_DISCARD) && d-- > 0;) {
-            plan->loses_lanes = true;
-            if (op == SHADER_LEAVE && form->code[stack[d]] == node->operands[0]) {
-                break;
-            }
-            plan->structures[stack[d]].loses = true;
-        }
-        plan->loses_lanes = plan->loses_lanes || op == SHADER_DISCARD;
     }
 }
 
@@ -79,6 +70,66 @@ static void find_wide(struct shader_memory *memory, struct shader_plan *plan)
             } else if (closes(op)) {
                 depth--;
             }
+        }
+    }
+}
+
+// The lanes of a group that are active may go one way where those of the call do not. They leave narrow structure
+// together where they go one way from its begin to every LEAVE of it.
+static void find_together(struct shader_memory *memory, struct shader_plan *plan)
+{
+    const struct shader_program *const form = plan->form;
+    uint32_t *const stack = shader_take(memory, SHADER_MAX_DEPTH + 2, sizeof *stack);
+    for (uint32_t i = 0; i < form->code_count; i++) {
+        if (shader_opens(shader_op_at(plan, i)) && !plan->structures[i].is_wide) {
+            plan->structures[i].is_uniform = shader_op_at(plan, i) != SHADER_IF ||
+                                             shader_is_shared(form, form->nodes[form->code[i]].operands[0]);
+        }
+    }
+    for (bool changed = true; changed;) {
+        uint32_t depth = 0;
+        changed = false;
+        for (uint32_t i = 0; i < form->code_count; i++) {
+            const enum shader_op op = shader_op_at(plan, i);
+            const uint32_t target =
+                op == SHADER_LEAVE ? plan->place[form->nodes[form->code[i]].operands[0]] : SHADER_NONE;
+            bool part = false;
+            for (uint32_t d = depth; target != SHADER_NONE && stack[d - 1] != target; d--) {
+                part = part || !plan->structures[stack[d - 1]].is_uniform;
+            }
+            if (part && plan->structures[target].is_uniform && !plan->structures[target].is_wide) {
+                plan->structures[target].is_uniform = false;
+                changed = true;
+            }
+            if (shader_opens(op)) {
+                stack[depth++] = i;
+            } else if (closes(op)) {
+                depth--;
+            }
+        }
+    }
+}
+
+// Lanes that leave structure by themselves, or are discarded, do not come out of what is around them.
+static void find_losses(struct shader_memory *memory, struct shader_plan *plan)
+{
+    const struct shader_program *const form = plan->form;
+    uint32_t *const stack = shader_take(memory, SHADER_MAX_DEPTH + 2, sizeof *stack);
+    uint32_t depth = 0;
+    for (uint32_t i = 0; i < form->code_count; i++) {
+        const enum shader_op op = shader_op_at(plan, i);
+        const uint32_t target =
+            op == SHADER_LEAVE ? plan->place[form->nodes[form->code[i]].operands[0]] : SHADER_NONE;
+        const bool loses =
+            op == SHADER_DISCARD || (target != SHADER_NONE && !plan->structures[target].is_uniform);
+        plan->loses_lanes = plan->loses_lanes || loses;
+        for (uint32_t d = depth; loses && d > 0 && stack[d - 1] != target; d--) {
+            plan->structures[stack[d - 1]].loses = true;
+        }
+        if (shader_opens(op)) {
+            stack[depth++] = i;
+        } else if (closes(op)) {
+            depth--;
         }
     }
 }
@@ -445,6 +496,8 @@ void shader_make_plan(struct shader_memory *memory, const struct shader_program 
     count_uses(plan);
     find_structures(memory, plan);
     find_wide(memory, plan);
+    find_together(memory, plan);
+    find_losses(memory, plan);
     for (uint32_t i = 0; i < form->code_count; i++) {
         plan->has_cuts = plan->has_cuts || shader_is_cut(plan, i);
     }

@@ -89,7 +89,7 @@ static void generate_set(struct shader_generator *g, const struct shader_node *n
         return; // a binding that is named once serves everywhere
     }
     // Where lanes go one way, those that are not active never read the home again.
-    const bool is_whole = g->divergence == 0 || (g->form->nodes[home].flags & SHADER_UNIFORM);
+    const bool is_whole = g->divergence == 0 || shader_is_shared(g->form, home);
     if (is_whole) {
         const struct x86_operand from = shader_anywhere(g, value);
         int reg = g->values[home].reg;

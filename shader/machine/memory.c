@@ -272,7 +272,7 @@ static void load_lanes(struct shader_generator *g, uint32_t value, uint32_t buff
         call.which = SHADER_LOAD;
         call.argument_count = 3;
         call.arguments[0] = shader_bound_argument();
-        call.arguments[1] = shader_site_argument(g, buffer, SHADER_NONE, node->flags & SHADER_UNIFORM, 0);
+        call.arguments[1] = shader_site_argument(g, buffer, SHADER_NONE, shader_is_shared(g->form, value), 0);
         call.arguments[2] = shader_found_argument(g, buffer);
         call.vector_count = 3;
         call.vectors[0] = shader_element_of(g, buffer);
@@ -291,7 +291,7 @@ static void load(struct shader_generator *g, uint32_t value)
         shader_load_own(g, value);
         return;
     }
-    const bool is_alike = (node->flags & SHADER_UNIFORM) != 0;
+    const bool is_alike = shader_is_shared(g->form, value);
     const uint32_t buffer = shader_resource_of(g, node->operands[0]);
     if (!is_alike || !shader_is_one(g, buffer)) {
         load_lanes(g, value, buffer);
@@ -348,7 +348,7 @@ static void length(struct shader_generator *g, uint32_t value)
             .which = SHADER_LENGTH,
             .argument_count = 3,
             .arguments = {shader_bound_argument(),
-                          shader_site_argument(g, buffer, SHADER_NONE, node->flags & SHADER_UNIFORM, 0),
+                          shader_site_argument(g, buffer, SHADER_NONE, shader_is_shared(g->form, value), 0),
                           shader_found_argument(g, buffer)},
             .vector_count = 2,
             .vectors = {shader_element_of(g, buffer), g->mask},
