@@ -5,7 +5,6 @@
 #include <string.h>
 
 #include "form/atomic.h"
-#include "form/texel_plane.h"
 #include "rhw/isa.h"
 #include "rhw/shader_binding.h"
 #include "rhw/shader_spirv.h"
@@ -271,21 +270,11 @@ static rhw_int call_IMAGE_ATOMIC(const struct rhw_shader_frame *frame, const str
     return before;
 }
 
-// Memory of the lanes and constants ------------------------------------------------------------------
-
-static rhw_int call_OWN(const rhw_int *own, uint32_t count, rhw_int index)
-{
-    return rhw_spirv_own(own, count, index);
-}
+// Memory of the lanes --------------------------------------------------------------------------------
 
 static void call_OWN_STORE(rhw_int *own, uint32_t count, rhw_int index, rhw_int value, rhw_int mask)
 {
     rhw_spirv_own_store(own, count, index, value, mask);
-}
-
-static rhw_int call_TABLE(const int32_t *table, uint32_t count, rhw_int index)
-{
-    return rhw_spirv_table(table, count, index);
 }
 
 // Images ---------------------------------------------------------------------------------------------
@@ -374,20 +363,22 @@ static void call_COMPARE_WINDOW(const struct shader_found *one, const struct sha
 
 static void call_FIND_PLANE(const struct shader_found *texture, struct shader_found_plane *found)
 {
-    *found = (struct shader_found_plane){texture->binding, rhw_binding_sample_plane(texture->binding)};
+    found->binding = texture->binding;
+    found->plane = rhw_binding_sample_plane(texture->binding);
+    for (int lane = 0; lane < RHW_LANES; lane++) {
+        found->last[0][lane] = (uint32_t)(found->plane.width - 1);
+        found->last[1][lane] = (uint32_t)(found->plane.height - 1);
+        found->row_length[lane] = (uint32_t)found->plane.pitch;
+    }
 }
 
-// Return the first component of texels.
+// Return the first component of texels that lie in no plane.
 static rhw_float call_FETCH_PLANE(const struct shader_found_plane *found, rhw_int x, rhw_int y)
 {
-    const struct rhw_texel_plane *const plane = &found->plane;
-    if (!plane->texels) {
-        const rhw_int at[4] = {x, y, rhw_splat_int(0), rhw_splat_int(0)};
-        rhw_float texel[4];
-        rhw_binding_sample_fetch(found->binding, at, NULL, texel);
-        return texel[0];
-    }
-    return shader_fetch_texel(plane, x, y);
+    const rhw_int at[4] = {x, y, rhw_splat_int(0), rhw_splat_int(0)};
+    rhw_float texel[4];
+    rhw_binding_sample_fetch(found->binding, at, NULL, texel);
+    return texel[0];
 }
 
 // Put what all lanes name into a table.
@@ -454,19 +445,24 @@ static int call_GIVEN_UP(const struct rhw_bindings *bindings)
 #define TWO(name, result, first, second, function) ENTRY(name),
 static shader_call_function *const functions[SHADER_CALLS] = {
 #include "form/function.inc"
-    ENTRY(BALLOT),        ENTRY(SHUFFLE),      ENTRY(SCAN),
-    ENTRY(INPUT_BESIDE),  ENTRY(INPUT_BELOW),  ENTRY(INPUT_AT),
-    ENTRY(SAMPLE_X),      ENTRY(SAMPLE_Y),     ENTRY(LOAD),
-    ENTRY(STORE),         ENTRY(STORE8),       [SHADER_STORE16] = (shader_call_function *)call_STORE8,
-    ENTRY(LENGTH),        ENTRY(ATOMIC),       ENTRY(IMAGE_ATOMIC),
-    ENTRY(TABLE),         ENTRY(SAMPLE),       ENTRY(NEEDS_GRADIENT),
-    ENTRY(IMAGE_STORE),   MORE(PUSH_WORD),     MORE(PUSH),
-    MORE(SINE_FIRST),     MORE(COSINE_FIRST),  MORE(FIND_WORDS),
-    MORE(FIND_SHARED),    MORE(FIND_PAIR),     MORE(SAMPLE_ONE),
-    MORE(COMPARE_WINDOW), MORE(FIND_PLANE),    MORE(FETCH_PLANE),
-    MORE(LIST),           MORE(SAMPLE_GROUPS), MORE(GATHER),
-    MORE(LOAD_WORDS),     MORE(SHARE),         MORE(OWN),
-    MORE(OWN_STORE),      MORE(GIVEN_UP),
+    ENTRY(BALLOT),         ENTRY(SHUFFLE),
+    ENTRY(SCAN),           ENTRY(INPUT_BESIDE),
+    ENTRY(INPUT_BELOW),    ENTRY(INPUT_AT),
+    ENTRY(SAMPLE_X),       ENTRY(SAMPLE_Y),
+    ENTRY(LOAD),           ENTRY(STORE),
+    ENTRY(STORE8),         [SHADER_STORE16] = (shader_call_function *)call_STORE8,
+    ENTRY(LENGTH),         ENTRY(ATOMIC),
+    ENTRY(IMAGE_ATOMIC),   ENTRY(SAMPLE),
+    ENTRY(NEEDS_GRADIENT), ENTRY(IMAGE_STORE),
+    MORE(PUSH_WORD),       MORE(PUSH),
+    MORE(SINE_FIRST),      MORE(COSINE_FIRST),
+    MORE(FIND_WORDS),      MORE(FIND_SHARED),
+    MORE(FIND_PAIR),       MORE(SAMPLE_ONE),
+    MORE(COMPARE_WINDOW),  MORE(FIND_PLANE),
+    MORE(FETCH_PLANE),     MORE(LIST),
+    MORE(SAMPLE_GROUPS),   MORE(GATHER),
+    MORE(LOAD_WORDS),      MORE(SHARE),
+    MORE(OWN_STORE),       MORE(GIVEN_UP),
 };
 #undef ENTRY
 #undef MORE

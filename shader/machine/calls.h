@@ -26,7 +26,6 @@ enum shader_call {
     SHADER_CALL_GATHER,
     SHADER_CALL_LOAD_WORDS,
     SHADER_CALL_SHARE,
-    SHADER_CALL_OWN,
     SHADER_CALL_OWN_STORE,
     SHADER_CALL_GIVEN_UP,
     SHADER_CALLS
@@ -68,7 +67,9 @@ struct shader_together {
 // A texture whose texels are read one by one.
 struct shader_found_plane {
     const struct rhw_binding *binding;
-    struct rhw_texel_plane plane;
+    struct rhw_texel_plane plane; // without texels where it has to be sampled
+    _Alignas(32) uint32_t last[2][8],
+        row_length[8]; // the last column and row, and texels of a row, in all lanes
 };
 
 #if RHW_HAS_LANES

@@ -156,7 +156,7 @@ static void encode_vex(struct shader_encoder *encoder, const struct x86_encoding
 {
     const unsigned shape = encoding->shape;
     const bool has_immediate = shape >= X86_VMI && shape <= X86_RVMR;
-    const int vector = shape == X86_VMI ? reg : shape >= X86_RVMI && shape <= X86_RVM ? source : 0;
+    const int vector = shape == X86_VMI ? reg : shape >= X86_RVMI && shape <= X86_RXV ? source : 0;
     const int field = shape == X86_VMI ? encoding->digit : reg;
     put_vex(encoder, encoding, high_bits(field, rm), vector, flags);
     if (shape == X86_NO_OPERANDS) {

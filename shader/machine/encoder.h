@@ -31,9 +31,10 @@ enum x86_shape {
     X86_MR,
     X86_VMI, // from here to RVMR with an immediate
     X86_RMI,
-    X86_RVMI, // from here to RVM with a source
+    X86_RVMI, // from here to RXV with a source
     X86_RVMR,
     X86_RVM,
+    X86_RXV,
     X86_M,
     X86_MI,
     X86_MN,
@@ -82,7 +83,7 @@ enum x86_rounding { X86_ROUND_EVEN = 8, X86_ROUND_DOWN = 9, X86_ROUND_UP = 10, X
 struct x86_operand {
     int8_t reg;   // -1: memory
     int8_t base;  // -1: the constant of the number `offset`
-    int8_t index; // an integer register other than rsp; -1: none
+    int8_t index; // an integer register other than rsp, or a vector; -1: none
     uint8_t shift;
     int32_t offset; // bytes
 };
@@ -155,6 +156,7 @@ const struct x86_encoding *shader_encoding_of(uint32_t instruction);
 //     RM, RMI, RMN   reg := rm, immediate                 MR            rm := reg
 //     RVM, RVMI      reg := source, rm, immediate         VMI           reg := rm, immediate
 //     RVMR           as RVM; the immediate is a register  M, MI, MN, ML rm := rm, immediate; reg is 0
+//     RXV            as RVM, of memory whose index is a vector; the three registers differ
 //     O              reg alone
 // TEST, CMP and VTESTPS change flags alone. An immediate has 8 bits (I), 32 (L), or as many as it takes (N).
 void shader_encode(struct shader_encoder *encoder, unsigned instruction, int reg, int source,

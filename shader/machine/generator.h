@@ -180,6 +180,13 @@ static inline void shader_put(struct shader_generator *g, unsigned instruction, 
 // Write arithmetic. Return false where the node is something else.
 bool shader_select_arithmetic(struct shader_generator *g, uint32_t value);
 
+// Load the words at rax + 4 × index, of lanes that are in a mask, which is lost. Others get 0.
+static inline void shader_put_gather(struct shader_generator *g, int result, int index, int mask)
+{
+    shader_put(g, X86_VXORPS, result, result, x86_reg(result));
+    shader_put(g, X86_VGATHERDPS, result, mask, x86_at_index(X86_RAX, index, 2, 0));
+}
+
 // machine.c: the function that an operation calls, an enum shader_op or shader_call. NULL: there is none.
 shader_call_function *shader_machine_function(unsigned which);
 
@@ -208,6 +215,8 @@ struct shader_invocation {
 };
 
 void shader_invoke(struct shader_generator *g, const struct shader_invocation *invocation);
+// Call where code seldom comes: `reg` receives the result, and other registers stay as they are.
+void shader_invoke_aside(struct shader_generator *g, const struct shader_invocation *invocation, int reg);
 struct shader_argument shader_number_argument(uint64_t number);
 struct shader_argument shader_address_argument(struct x86_operand at);
 struct shader_argument shader_pointer_argument(struct x86_operand at);
@@ -226,6 +235,8 @@ struct shader_argument shader_site_argument(struct shader_generator *g, uint32_t
                                             uint32_t flags, uint32_t width);
 // Set eax to the number of the word at an offset of bytes. Return true where it is known, in *index.
 bool shader_put_index(struct shader_generator *g, uint32_t offset, uint32_t more, uint32_t *index);
+// The numbers of the lanes as an operand.
+struct x86_operand shader_lane_numbers(struct shader_generator *g);
 // Give a value of its own to the number of the word that each lane names.
 uint32_t shader_index_of(struct shader_generator *g, uint32_t offset, uint32_t more);
 // A value is what eax has, in all lanes.

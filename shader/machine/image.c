@@ -334,7 +334,14 @@ static bool select_window(struct shader_generator *g, uint32_t value)
     return true;
 }
 
-// Write a fetch whose first component alone is read: the part behind it is what the call returns.
+// Set a register to the mask of lanes whose number is not above the last, nor negative.
+static void put_inside(struct shader_generator *g, int inside, int number, struct x86_operand last)
+{
+    shader_put(g, X86_VPMINUD, inside, number, last);
+    shader_put(g, X86_VPCMPEQD, inside, inside, x86_reg(number));
+}
+
+// Write a fetch whose first component alone is read: the part behind it is what comes of it. Texels outside are 0.
 static bool select_fetch(struct shader_generator *g, uint32_t value)
 {
     if (!is_plane_fetch(g, g->place)) {
@@ -343,15 +350,33 @@ static bool select_fetch(struct shader_generator *g, uint32_t value)
     uint32_t count;
     const uint32_t *const operands = shader_operands(g->form, &g->form->nodes[value], &count);
     const uint32_t texture = shader_resource_of(g, operands[SHADER_IMAGE_TEXTURE]);
-    const uint32_t offset = find_pair(g, texture, SHADER_NONE)->offset;
-    const struct shader_invocation call = {
-        .which = SHADER_CALL_FETCH_PLANE,
-        .argument_count = 1,
-        .arguments = {shader_address_argument(x86_at(X86_RSP, (int32_t)offset))},
-        .vector_count = 2,
-        .vectors = {operands[SHADER_IMAGE_COORDINATES], operands[SHADER_IMAGE_COORDINATES + 1]},
-        .result = g->form->code[g->place + 1]};
-    shader_invoke(g, &call);
+    const uint32_t column = operands[SHADER_IMAGE_COORDINATES], row = operands[SHADER_IMAGE_COORDINATES + 1];
+    const int32_t plane = (int32_t)find_pair(g, texture, SHADER_NONE)->offset;
+    const int32_t last = plane + (int32_t)offsetof(struct shader_found_plane, last);
+    const struct shader_invocation call = {.which = SHADER_CALL_FETCH_PLANE,
+                                           .argument_count = 1,
+                                           .arguments = {shader_address_argument(x86_at(X86_RSP, plane))},
+                                           .vector_count = 2,
+                                           .vectors = {column, row}};
+    const int x = shader_in_register(g, column), y = shader_in_register(g, row);
+    const int inside = shader_temporary(g), at = shader_temporary(g), result = shader_temporary(g);
+    const uint32_t here = shader_label_new(&g->code), end = shader_label_new(&g->code);
+    put_inside(g, inside, x, x86_at(X86_RSP, last));
+    put_inside(g, at, y, x86_at(X86_RSP, last + VECTOR));
+    shader_put(g, X86_VANDPS, inside, inside, x86_reg(at));
+    shader_put(g, X86_VPMULLD, at, y,
+               x86_at(X86_RSP, plane + (int32_t)offsetof(struct shader_found_plane, row_length)));
+    shader_put(g, X86_VPADDD, at, at, x86_reg(x));
+    shader_put(g, X86_MOV | X86_WIDE, X86_RAX, 0,
+               x86_at(X86_RSP, plane + (int32_t)offsetof(struct shader_found_plane, plane.texels)));
+    shader_put(g, X86_TEST | X86_WIDE, X86_RAX, 0, x86_reg(X86_RAX));
+    shader_encode_jump_if(&g->code, X86_NOT_EQUAL, here);
+    shader_invoke_aside(g, &call, result);
+    shader_encode_jump(&g->code, end);
+    shader_label_place(&g->code, here);
+    shader_put_gather(g, result, at, inside);
+    shader_label_place(&g->code, end);
+    shader_assign(g, g->form->code[g->place + 1], result);
     return true;
 }
 

@@ -64,11 +64,15 @@ static void invoke_sample_place(struct shader_generator *g, uint32_t value)
 
 // Built-in inputs ------------------------------------------------------------------------------------
 
-static void define_lane_numbers(struct shader_generator *g, uint32_t value)
+struct x86_operand shader_lane_numbers(struct shader_generator *g)
 {
     static const int32_t numbers[RHW_LANES] = {0, 1, 2, 3, 4, 5, 6, 7};
-    shader_put(g, X86_VMOVUPS, shader_result(g, value), 0,
-               shader_pool_bytes(&g->code, numbers, sizeof numbers));
+    return shader_pool_bytes(&g->code, numbers, sizeof numbers);
+}
+
+static void define_lane_numbers(struct shader_generator *g, uint32_t value)
+{
+    shader_put(g, X86_VMOVUPS, shader_result(g, value), 0, shader_lane_numbers(g));
 }
 
 static void define_zero(struct shader_generator *g, uint32_t value)

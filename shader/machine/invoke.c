@@ -110,13 +110,34 @@ static void put_arguments(struct shader_generator *g, const struct shader_invoca
     }
 }
 
-void shader_invoke(struct shader_generator *g, const struct shader_invocation *invocation)
+static void put_call(struct shader_generator *g, const struct shader_invocation *invocation)
 {
     shader_call_function *const function = shader_machine_function(invocation->which);
-    shader_flush(g, g->place + 1);
     put_vectors(g, invocation);
     put_arguments(g, invocation);
     shader_put(g, X86_CALL, 0, 0, shader_pool_bytes(&g->code, &function, sizeof function));
+}
+
+void shader_invoke_aside(struct shader_generator *g, const struct shader_invocation *invocation, int reg)
+{
+    for (int r = 0; r < REGISTERS; r++) {
+        if (g->holds[r] != SHADER_NONE && !g->values[g->holds[r]].is_stored) {
+            shader_put(g, X86_VMOVUPS_STORE, r, 0, shader_home_of(g, g->holds[r]));
+        }
+    }
+    put_call(g, invocation);
+    shader_put(g, X86_VMOVAPS, reg, 0, x86_reg(0));
+    for (int r = 0; r < REGISTERS; r++) {
+        if (g->holds[r] != SHADER_NONE) {
+            shader_put(g, X86_VMOVUPS, r, 0, shader_home_of(g, g->holds[r]));
+        }
+    }
+}
+
+void shader_invoke(struct shader_generator *g, const struct shader_invocation *invocation)
+{
+    shader_flush(g, g->place + 1);
+    put_call(g, invocation);
     shader_forget_registers(g);
     if (invocation->result != SHADER_NONE) {
         shader_assign(g, invocation->result, 0);

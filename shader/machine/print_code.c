@@ -37,7 +37,7 @@ static const char *name_register(char kind, int number, char name[NAME])
 }
 
 static void write_operand(const struct shader_encoder *encoder, struct x86_operand operand, char kind,
-                          char text[OPERAND])
+                          char index_kind, char text[OPERAND])
 {
     char base[NAME], index[NAME];
     if (operand.reg >= 0) {
@@ -54,7 +54,7 @@ static void write_operand(const struct shader_encoder *encoder, struct x86_opera
     length += snprintf(text + length, OPERAND - (size_t)length, "%s", name_register('q', operand.base, base));
     if (operand.index >= 0) {
         length += snprintf(text + length, OPERAND - (size_t)length, " + %s*%d",
-                           name_register('q', operand.index, index), 1 << operand.shift);
+                           name_register(index_kind, operand.index, index), 1 << operand.shift);
     }
     const char *const sign = operand.offset < 0 ? "-" : "+";
     const unsigned amount = operand.offset < 0 ? 0u - (unsigned)operand.offset : (unsigned)operand.offset;
@@ -89,7 +89,8 @@ static void write_row(const struct shader_encoder *encoder, const struct shader_
     char r[NAME], v[NAME], m[OPERAND];
     name_register(widths[number].reg ? widths[number].reg : kind, record->reg, r);
     name_register(kind, record->source, v);
-    write_operand(encoder, record->rm, widths[number].rm ? widths[number].rm : kind, m);
+    write_operand(encoder, record->rm, widths[number].rm ? widths[number].rm : kind,
+                  encoding->shape == X86_RXV ? kind : 'q', m);
     const int length = write_name(encoding->name, text), immediate = (int)record->immediate;
     char *const operands = text + length;
     const size_t room = (size_t)(SHADER_INSTRUCTION_TEXT - length);
@@ -97,6 +98,7 @@ static void write_row(const struct shader_encoder *encoder, const struct shader_
     case X86_RM: snprintf(operands, room, " %s, %s", r, m); break;
     case X86_MR: snprintf(operands, room, " %s, %s", m, r); break;
     case X86_RVM: snprintf(operands, room, " %s, %s, %s", r, v, m); break;
+    case X86_RXV: snprintf(operands, room, " %s, %s, %s", r, m, v); break;
     case X86_RMI:
     case X86_VMI:
     case X86_RMN: snprintf(operands, room, " %s, %s, %d", r, m, immediate); break;

@@ -49,9 +49,9 @@ static void put_unary(struct shader_generator *g, uint32_t value, const struct n
     shader_encode(&g->code, notation->instruction, result, 0, a, notation->immediate);
 }
 
-static void put_binary(struct shader_generator *g, uint32_t value, const struct notation *notation)
+static void put_binary(struct shader_generator *g, uint32_t value, uint32_t a, uint32_t b,
+                       const struct notation *notation)
 {
-    uint32_t a = operands_of(g, value)[0], b = operands_of(g, value)[1];
     const bool is_better = g->values[a].reg < 0 && g->values[b].reg >= 0;
     if (notation->operands == OF_TWO_SWAPPED || (notation->commutes && is_better)) {
         const uint32_t swapped = a;
@@ -68,9 +68,39 @@ static void put_binary(struct shader_generator *g, uint32_t value, const struct 
     shader_encode(&g->code, notation->instruction, result, first, second, notation->immediate);
 }
 
+// Return true for a comparison of integers whose only reader, a SELECT behind it, takes the lesser or the greater.
+static bool is_of_extreme(const struct shader_generator *g, uint32_t place)
+{
+    const uint32_t value = g->form->code[place];
+    const struct shader_node *const node = &g->form->nodes[value];
+    if ((node->op != SHADER_ILESS && node->op != SHADER_ULESS) || g->plan.uses[value] != 1) {
+        return false;
+    }
+    const struct shader_node *const reader = &g->form->nodes[g->form->code[place + 1]];
+    const uint32_t a = node->operands[0], b = node->operands[1];
+    return reader->op == SHADER_SELECT && reader->operands[0] == value &&
+           ((reader->operands[1] == a && reader->operands[2] == b) ||
+            (reader->operands[1] == b && reader->operands[2] == a));
+}
+
+static void put_extreme(struct shader_generator *g, uint32_t value)
+{
+    const uint32_t *const operands = operands_of(g, value);
+    const struct shader_node *const less = &g->form->nodes[operands[0]];
+    const bool is_signed = less->op == SHADER_ILESS, is_lesser = operands[1] == less->operands[0];
+    const unsigned instruction =
+        is_signed ? (is_lesser ? X86_VPMINSD : X86_VPMAXSD) : (is_lesser ? X86_VPMINUD : X86_VPMAXUD);
+    put_binary(g, value, operands[1], operands[2],
+               &(struct notation){(uint16_t)instruction, OF_TWO, true, 0});
+}
+
 static void put_select(struct shader_generator *g, uint32_t value)
 {
     const uint32_t *const operands = operands_of(g, value);
+    if (g->place > 0 && is_of_extreme(g, g->place - 1)) {
+        put_extreme(g, value);
+        return;
+    }
     for (int o = 0; o < 3; o++) {
         g->locked |= g->values[operands[o]].reg >= 0 ? 1u << g->values[operands[o]].reg : 0;
     }
@@ -223,12 +253,15 @@ static bool select_subgroup(struct shader_generator *g, uint32_t value)
 bool shader_select_arithmetic(struct shader_generator *g, uint32_t value)
 {
     const struct notation *const notation = &notations[g->form->nodes[value].op];
+    if (is_of_extreme(g, g->place)) {
+        return true;
+    }
     if (notation->operands == OF_ONE) {
         put_unary(g, value, notation);
         return true;
     }
     if (notation->operands != NOT_ONE) {
-        put_binary(g, value, notation);
+        put_binary(g, value, operands_of(g, value)[0], operands_of(g, value)[1], notation);
         return true;
     }
     switch ((enum shader_op)g->form->nodes[value].op) {

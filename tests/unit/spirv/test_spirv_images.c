@@ -250,6 +250,12 @@ static void check_texels(struct check *check)
     moved.at[1] += 2;
     expect_fetch(&moved, PLANES, 0);
     check->next = moved.next;
+    rhw_binding_sample_fetch(&check->set[PLANE], at, NULL, texel);
+    const rhw_float first = texel[0], *const p = check->p;
+    for (int c = 0; c < 4; c++) {
+        texel[c] = p[c] * p[(c + 1) & 3] + first * p[c];
+    }
+    expect(check, texel);
 }
 
 static void check_gathers(struct check *check)

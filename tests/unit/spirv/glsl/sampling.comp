@@ -82,6 +82,8 @@ void main()
     put(texelFetch(whole_texels, at.y));
     put(texelFetchOffset(plane, at.xy, 1, ivec2(2, -1)));
     put(texelFetchOffset(planes, at.xyz, 0, ivec2(-1, 1)));
+    vec4 products = p * p.yzwx; // in registers while one component is fetched
+    put(products + texelFetch(plane, at.xy, 0).x * p);
     // Gathers
     put(textureGather(plane, p.xy));
     put(textureGather(plane, p.xy, 2));
