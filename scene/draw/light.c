@@ -5,6 +5,7 @@
 #include "light.h"
 
 #include "draw/camera/subject.h"
+#include "headlamp.h"
 #include "panorama.h"
 
 #include "rhw/shader.h"
@@ -105,7 +106,7 @@ static double luminance(const float color[3])
 
 // Irradiance that the lights of the file give at the middle of the model, on a surface that faces them all.
 // A light nearer than a quarter of the model's radius counts as if it stood there.
-static double reference_irradiance(const struct scene_model *model)
+static double reference_irradiance(const struct scene_model *model, const struct scene_headlamp *headlamp)
 {
     const struct scene_box frame = scene_subject_frame(model);
     double middle[3], radius2 = 0.0, sum = 0.0;
@@ -115,18 +116,18 @@ static double reference_irradiance(const struct scene_model *model)
         radius2 += 0.25 * (high - low) * (high - low);
     }
     for (uint32_t i = 0; i < model->light_count; i++) {
-        const struct scene_model_light *light = &model->lights[i];
+        const struct scene_model_light light = scene_headlamp_carry(headlamp, &model->lights[i]);
         double falloff = 1.0;
-        if (light->type != SCENE_LIGHT_DIRECTIONAL) {
+        if (light.type != SCENE_LIGHT_DIRECTIONAL) {
             double distance2 = 0.0;
             for (int c = 0; c < 3; c++) {
-                const double d = (double)light->position[c] - middle[c];
+                const double d = (double)light.position[c] - middle[c];
                 distance2 += d * d;
             }
             const double nearest = radius2 / 16.0;
             falloff = 1.0 / (distance2 > nearest ? distance2 : nearest);
         }
-        sum += luminance(light->color) * (double)light->intensity * falloff;
+        sum += luminance(light.color) * (double)light.intensity * falloff;
     }
     return sum;
 }
@@ -157,7 +158,8 @@ bool scene_lighting_create(struct scene_lighting *lighting, const struct scene_m
     double view[16];
     scene_camera_view(camera, view);
     *lighting = (struct scene_lighting){.count = 1};
-    const double irradiance = default_lights ? 0.0 : reference_irradiance(model);
+    const struct scene_headlamp headlamp = scene_headlamp_find(model, camera);
+    const double irradiance = default_lights ? 0.0 : reference_irradiance(model, &headlamp);
     const bool from_file = irradiance > 0.0 && irradiance < 1e30;
     lighting->from_file = from_file;
     if (from_file) {
@@ -176,7 +178,8 @@ bool scene_lighting_create(struct scene_lighting *lighting, const struct scene_m
     }
     const double white = 0.9 * pi / irradiance;
     for (uint32_t i = 0; i < lighting->count; i++) {
-        set_light(&lighting->lights[i], &model->lights[i], white * stops);
+        const struct scene_model_light light = scene_headlamp_carry(&headlamp, &model->lights[i]);
+        set_light(&lighting->lights[i], &light, white * stops);
     }
     set_environment(&lighting->environment, view, up, 0.25 * stops);
     return true;

@@ -20,6 +20,7 @@ struct scene_lighting {
 /// sky and a ground. The boxes turn with the camera, so that no view is of the dark side; sky and ground do not.
 /// A camera within the model's bounds stands in a room, whose walls would take all of the key light: there it casts no
 /// shadows.
+/// A light that stands in the file's first camera and shines as it looks is carried by the camera of the picture.
 /// Lights of a file keep their proportions, but not their absolute strength: exposure is chosen so that a
 /// white surface in the middle of the model is about white, and a quarter of the studio's surroundings is
 /// added, because a file has no sky and its metals would be black.

@@ -64,6 +64,7 @@ static void move_box(float low[3], float high[3], const double way[3])
 void scene_vicinity_free(struct scene_vicinity *vicinity)
 {
     free(vicinity->instances);
+    free(vicinity->cameras);
     free(vicinity->lights);
     *vicinity = (struct scene_vicinity){.instances = NULL};
 }
@@ -79,8 +80,9 @@ bool scene_vicinity_get(struct scene_vicinity *vicinity, const struct scene_mode
     *vicinity =
         (struct scene_vicinity){.model = *model,
                                 .instances = calloc(model->instance_count + 1, sizeof *own->instances),
+                                .cameras = calloc(model->camera_count + 1, sizeof *own->cameras),
                                 .lights = calloc(model->light_count + 1, sizeof *own->lights)};
-    if (!vicinity->instances || !vicinity->lights) {
+    if (!vicinity->instances || !vicinity->cameras || !vicinity->lights) {
         scene_vicinity_free(vicinity);
         return false;
     }
@@ -90,10 +92,15 @@ bool scene_vicinity_get(struct scene_vicinity *vicinity, const struct scene_mode
         own->origin[c] = origin[c];
     }
     own->instances = vicinity->instances;
+    own->cameras = vicinity->cameras;
     own->lights = vicinity->lights;
     for (uint32_t i = 0; i < model->instance_count; i++) {
         own->instances[i] = model->instances[i];
         move(own->instances[i].world + 12, own->instances[i].place, way);
+    }
+    for (uint32_t i = 0; i < model->camera_count; i++) {
+        own->cameras[i] = model->cameras[i];
+        move(own->cameras[i].world + 12, own->cameras[i].place, way);
     }
     for (uint32_t i = 0; i < model->light_count; i++) {
         own->lights[i] = model->lights[i];

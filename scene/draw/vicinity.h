@@ -6,11 +6,12 @@
 
 #include "camera/camera.h"
 
-/// A model that is counted from another origin, kept from draw to draw. It borrows all but its instances and lights.
-/// Zeroed: none.
+/// A model that is counted from another origin, kept from draw to draw. It borrows all but its instances, cameras
+/// and lights. Zeroed: none.
 struct scene_vicinity {
     struct scene_model model;
     struct scene_instance *instances;
+    struct scene_model_camera *cameras;
     struct scene_model_light *lights;
 };
 

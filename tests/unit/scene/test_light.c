@@ -311,6 +311,64 @@ static void test_spot_and_range(void **state)
     scene_lighting_destroy(&lighting);
 }
 
+// A light that stands in the file's first camera and shines as it looks is carried by the camera that takes the picture,
+// unless this is one of the file's.
+static void test_headlamps_are_carried(void **state)
+{
+    (void)state;
+    static const struct {
+        enum scene_light_type type;
+        float x, direction[3];
+        bool is_carried;
+    } cases[] = {
+        {SCENE_LIGHT_SPOT, 100, {1, 0, 0}, true},          {SCENE_LIGHT_POINT, 100, {0, 0, -1}, true},
+        {SCENE_LIGHT_DIRECTIONAL, 100, {1, 0, 0}, true},   {SCENE_LIGHT_SPOT, 100, {0.96f, 0.28f, 0}, false},
+        {SCENE_LIGHT_DIRECTIONAL, 100, {-1, 0, 0}, false}, {SCENE_LIGHT_POINT, 100.1f, {1, 0, 0}, false},
+        {SCENE_LIGHT_SPOT, -100, {1, 0, 0}, false},        {SCENE_LIGHT_POINT, 100.005f, {1, 0, 0}, true},
+    };
+    struct tiny t;
+    tiny_make(&t);
+    struct scene_model_camera cameras[2] = {{.yfov = 1, .znear = 1}, {.yfov = 1, .znear = 1}};
+    tiny_identity(cameras[0].world);
+    tiny_identity(cameras[1].world);
+    memcpy(cameras[0].world, (const float[16]){0, 0, 1, 0, 0, 1, 0, 0, -2, 0, 0, 0, 100, 0, 0, 1},
+           sizeof cameras[0].world); // it looks along x, away from the square
+    cameras[1].world[14] = 7;
+    t.model.cameras = cameras;
+    t.model.light_count = 1;
+    for (size_t i = 0; i < 4 * (sizeof cases / sizeof cases[0]); i++) {
+        const size_t k = i / 4,
+                     taker = i % 4; // a camera beside the file's, each of these, and none in the file
+        t.light = (struct scene_model_light){.type = cases[k].type,
+                                             .position = {cases[k].x, 0, 0},
+                                             .color = {1, 1, 1},
+                                             .intensity = 5,
+                                             .inner_cos = 0.95f,
+                                             .outer_cos = 0.8f};
+        memcpy(t.light.direction, cases[k].direction, sizeof t.light.direction);
+        t.model.camera_count = taker == 3 ? 0 : 2;
+        struct scene_camera camera = tiny_view(&t, 8).camera;
+        if (taker == 1 || taker == 2) {
+            camera = scene_camera_from_model(&t.model, &cameras[taker - 1], 1.0);
+        }
+        struct scene_lighting lighting;
+        assert_true(scene_lighting_create(&lighting, &t.model, &camera, SCENE_AXIS_Y, false, 0.0));
+        const bool is_carried = cases[k].is_carried && taker == 0;
+        const float sign = cases[k].type == SCENE_LIGHT_DIRECTIONAL ? -1 : 1;
+        for (int c = 0; c < 3; c++) {
+            const double place = is_carried ? camera.eye[c] : (double)t.light.position[c];
+            const double way = is_carried ? -(c == 2) : (double)t.light.direction[c];
+            tiny_assert_close((double)lighting.lights[0].position[c], place, 1e-6);
+            tiny_assert_close((double)(sign * lighting.lights[0].direction[c]), way, 1e-6);
+        }
+        if (is_carried && cases[k].type == SCENE_LIGHT_POINT) { // it lights the middle from there
+            const double distance = camera.eye[2], light = (double)lighting.lights[0].color[1];
+            tiny_assert_close(light / (distance * distance), 0.9 * pi, 1e-4);
+        }
+        scene_lighting_destroy(&lighting);
+    }
+}
+
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_reflection_against_gltf_appendix_b),
     cmocka_unit_test(test_tone_map_against_its_definition),
@@ -319,6 +377,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_environment_reflection),
     cmocka_unit_test(test_exposure_follows_the_lights),
     cmocka_unit_test(test_spot_and_range),
+    cmocka_unit_test(test_headlamps_are_carried),
 };
 
 const struct unit_tests test_light = UNIT_TESTS(tests, NULL, NULL);
