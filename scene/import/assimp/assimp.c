@@ -235,18 +235,6 @@ static void set_shadings(struct reader *reader, const struct scene_blender_shadi
     }
 }
 
-static void read_shadings(struct reader *reader)
-{
-    struct scene_blender_shadings shadings;
-    scene_blender_find_shadings(reader->import, &shadings);
-    reader->shadings =
-        scene_import_allocate(reader->import, reader->scene->mNumMeshes, sizeof *reader->shadings);
-    if (shadings.count > 0) {
-        set_shadings(reader, &shadings, reader->scene->mRootNode, 0);
-    }
-    scene_blender_free_shadings(&shadings);
-}
-
 static void add_mesh(struct reader *reader, uint32_t index)
 {
     const struct aiMesh *source = reader->scene->mMeshes[index];
@@ -530,7 +518,9 @@ void scene_import_assimp(struct scene_import *import)
     scene_assimp_refuse_blender(import, false);
     scene_assimp_listen(import);
     struct scene_assimp_exact exact = {.bytes = NULL};
+    struct scene_blender_shadings shadings = {.count = 0};
     scene_assimp_find_gaps(import);
+    scene_assimp_look_at_blender(import, &shadings);
     const struct aiScene *scene = read_scene(import, &exact);
     struct reader reader = {.import = import, .exact = &exact, .scene = scene};
     scene_assimp_tell_hidden(import);
@@ -544,7 +534,11 @@ void scene_import_assimp(struct scene_import *import)
     for (uint32_t i = 0; i < scene->mNumMaterials; i++) {
         reader.materials[i][0] = reader.materials[i][1] = -1;
     }
-    read_shadings(&reader);
+    reader.shadings = scene_import_allocate(import, scene->mNumMeshes, sizeof *reader.shadings);
+    if (shadings.count > 0) {
+        set_shadings(&reader, &shadings, scene->mRootNode, 0);
+    }
+    scene_blender_free_shadings(&shadings);
     for (uint32_t i = 0; i < scene->mNumMeshes; i++) {
         add_mesh(&reader, i);
     }

@@ -57,8 +57,10 @@ struct scene_assimp_unknowns {
     unsigned count;
 };
 
-/// Tell the user what assimp leaves out of a Blender file, and what of it is drawn that is hidden.
-void scene_assimp_look_at_blender(struct scene_import *import);
+struct scene_blender_shadings;
+/// Tell the user what assimp leaves out of a Blender file, and what of it is drawn that is hidden. Find how its objects
+/// are shaded, of which none is listed where the file is no Blender file.
+void scene_assimp_look_at_blender(struct scene_import *import, struct scene_blender_shadings *shadings);
 /// What assimp reads: the file of the import, or the bytes that stand for it.
 struct scene_assimp_source {
     struct scene_import *import;

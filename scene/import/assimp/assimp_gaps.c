@@ -237,7 +237,6 @@ void scene_assimp_find_gaps(struct scene_import *import)
         scene_assimp_look_at_collada(import, bytes, size);
     }
     scene_assimp_look_at_ase(import, bytes, size);
-    scene_assimp_look_at_blender(import);
     if (strcasecmp(import->ending, "dxf") == 0) {
         scene_assimp_look_at_dxf(import, bytes, size);
     } else {

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Blender files that assimp 5.2.5 cannot read. It reads most files up to version 2.8 and some up to 3.1, so these are
-// refused by their version only where assimp gives up. It finds nothing in files of version 4, or crashes. Files may be
-// compressed, by gzip before version 3 and by zstd since then.
+// Blender files, of which assimp 5.2.5 does not say all, and cannot read some. It reads most files up to version 2.8
+// and some up to 3.1, so these are refused by their version only where assimp gives up. It finds nothing in files of
+// version 4, or crashes. Files may be compressed, by gzip before version 3 and by zstd since then.
 #include "assimp.h"
+#include "blender_dump.h"
+#include "blender_gaps.h"
+#include "blender_shading.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -38,5 +41,15 @@ void scene_assimp_refuse_blender(struct scene_import *import, bool is_tried)
     if (version >= (is_tried ? MAYBE_UNREAD : UNREAD)) {
         scene_import_fail(import, "is a Blender file of version %u.%u, which is not supported", version / 100,
                           version % 100 % 10 == 0 ? version % 100 / 10 : version % 100);
+    }
+}
+
+void scene_assimp_look_at_blender(struct scene_import *import, struct scene_blender_shadings *shadings)
+{
+    struct scene_blender_file file;
+    if (scene_blender_open(import, &file)) {
+        scene_blender_tell_gaps(import, &file);
+        scene_blender_find_shadings(import, &file, shadings);
+        scene_blender_close(&file);
     }
 }

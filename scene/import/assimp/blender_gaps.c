@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What assimp leaves out of a Blender file without a word.
-#include "assimp.h"
+#include "blender_gaps.h"
+
 #include "blender_dump.h"
 #include "import/builder/hash_table.h"
 
@@ -157,22 +158,17 @@ static void look_at_block(struct look *look, const struct scene_blender_block *b
     }
 }
 
-void scene_assimp_look_at_blender(struct scene_import *import)
+void scene_blender_tell_gaps(struct scene_import *import, const struct scene_blender_file *file)
 {
-    struct scene_blender_file file;
-    if (!scene_blender_open(import, &file)) {
-        return;
-    }
     struct look look = {.import = import,
-                        .file = &file,
-                        .users = scene_blender_find_in_id(&file.dump, &file.dna, "us"),
-                        .flags = scene_blender_find_in_id(&file.dump, &file.dna, "flag")};
+                        .file = file,
+                        .users = scene_blender_find_in_id(&file->dump, &file->dna, "us"),
+                        .flags = scene_blender_find_in_id(&file->dump, &file->dna, "flag")};
     struct scene_blender_block block;
-    for (size_t at = file.first; scene_blender_next(&file.dump, &at, &block);) {
+    for (size_t at = file->first; scene_blender_next(&file->dump, &at, &block);) {
         look_at_block(&look, &block);
     }
     look_at_objects(&look);
     free(look.blocks);
     free(look.places.entries);
-    scene_blender_close(&file);
 }

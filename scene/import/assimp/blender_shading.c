@@ -134,15 +134,11 @@ static void add_object(const struct look *look, struct scene_blender_shadings *s
     shadings->list[shadings->count++] = (struct scene_blender_shaded){memcpy(bytes, name, length), shading};
 }
 
-void scene_blender_find_shadings(struct scene_import *import, struct scene_blender_shadings *shadings)
+void scene_blender_find_shadings(struct scene_import *import, const struct scene_blender_file *file,
+                                 struct scene_blender_shadings *shadings)
 {
-    struct scene_blender_file file;
-    *shadings = (struct scene_blender_shadings){.count = 0};
-    if (!scene_blender_open(import, &file)) {
-        return;
-    }
     struct look look = {
-        .import = import, .file = &file, .name = scene_blender_find_in_id(&file.dump, &file.dna, "name")};
+        .import = import, .file = file, .name = scene_blender_find_in_id(&file->dump, &file->dna, "name")};
     collect(&look);
     for (size_t i = 0; i < look.count; i++) {
         if (look.parts[i].kind == OBJECT) {
@@ -151,7 +147,6 @@ void scene_blender_find_shadings(struct scene_import *import, struct scene_blend
     }
     free(look.parts);
     free(look.places.entries);
-    scene_blender_close(&file);
 }
 
 enum scene_blender_shading scene_blender_shading(const struct scene_blender_shadings *shadings,

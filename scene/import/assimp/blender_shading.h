@@ -5,6 +5,8 @@
 
 #include "import/builder/hash_table.h"
 
+struct scene_blender_file;
+
 enum scene_blender_shading {
     SCENE_BLENDER_SMOOTH, ///< by the normals that assimp gives
     SCENE_BLENDER_FLAT,   ///< no face is smooth
@@ -16,15 +18,16 @@ struct scene_blender_shaded {
     enum scene_blender_shading shading;
 };
 
-/// The objects that are not smooth.
+/// The objects that are not smooth. Zeroed: none.
 struct scene_blender_shadings {
     struct scene_blender_shaded *list;
     size_t count, capacity;
     struct scene_hash_table names;
 };
 
-/// Find how the objects of a file are shaded. None is listed where the file is no Blender file.
-void scene_blender_find_shadings(struct scene_import *import, struct scene_blender_shadings *shadings);
+/// Add the objects of a file that are not smooth.
+void scene_blender_find_shadings(struct scene_import *import, const struct scene_blender_file *file,
+                                 struct scene_blender_shadings *shadings);
 /// Return how the object of a name is shaded.
 enum scene_blender_shading scene_blender_shading(const struct scene_blender_shadings *shadings,
                                                  const char *name);
