@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The letters of Latin, Greek and Cyrillic script and of Japanese that are another letter with a usual accent, as the
-// canonical decompositions of Unicode have them, and the syllables of Korean, which are computed (The Unicode
-// Standard, 3.12). Other scripts stay as they are.
+// The letters that are another letter with a mark, such as an accent, as the canonical decompositions of Unicode have
+// them, and the syllables of Korean, which are computed (The Unicode Standard, 3.12). Letters beyond the first 65,536
+// and signs of mathematics stay as they are.
 #include "accents.h"
 
 #include <stdlib.h>
@@ -10,19 +10,24 @@
 // Bytes that one byte of a name may become: a syllable of 3 is 9, and a letter of 2 has 3 accents.
 enum { LONGEST = 12 };
 
-// Letters without the accent, each followed by itself with it.
+// Letters without the accent, each followed by itself with it. Of two letters that are the same, the first is made of
+// parts.
 static const struct {
     uint32_t mark;
     const char *pairs;
 } accents[] = {
     {0x300, // grave
      "AÀEÈIÌOÒUÙaàeèiìoòuùÜǛüǜNǸnǹЕЀИЍеѐиѝĒḔēḕŌṐōṑ"
-     "WẀwẁÂẦâầĂẰăằÊỀêềÔỒôồƠỜơờƯỪưừYỲyỳ"},
+     "WẀwẁÂẦâầĂẰăằÊỀêềÔỒôồƠỜơờƯỪưừYỲyỳἀἂἁἃἈἊἉἋἐἒἑἓἘἚἙἛἠἢἡἣἨἪἩἫ"
+     "ἰἲἱἳἸἺἹἻὀὂὁὃὈὊὉὋὐὒὑὓὙὛὠὢὡὣὨὪὩὫαὰεὲηὴιὶοὸυὺωὼΑᾺΕῈΗῊ᾿῍ϊῒΙῚ"
+     "῾῝ϋῢΥῪ¨῭ΟῸΩῺ"},
     {0x301, // acute
      "AÁEÉIÍOÓUÚYÝaáeéiíoóuúyýCĆcćLĹlĺNŃnńRŔrŕSŚsś"
      "ZŹzźÜǗüǘGǴgǵÅǺåǻÆǼæǽØǾøǿΑΆΕΈΗΉΙΊΟΌΥΎΩΏϊΐαάεέ"
      "ηήιίϋΰοόυύωώГЃКЌгѓкќÇḈçḉĒḖēḗÏḮïḯKḰkḱMḾmḿÕṌõṍ"
-     "ŌṒōṓPṔpṕŨṸũṹWẂwẃÂẤâấĂẮăắÊẾêếÔỐôốƠỚơớƯỨưứ"},
+     "ŌṒōṓPṔpṕŨṸũṹWẂwẃÂẤâấĂẮăắÊẾêếÔỐôốƠỚơớƯỨưứ¨΅ϒϓἀἄἁἅἈἌἉἍἐἔἑἕ"
+     "ἘἜἙἝἠἤἡἥἨἬἩἭἰἴἱἵἸἼἹἽὀὄὁὅὈὌὉὍὐὔὑὕὙὝὠὤὡὥὨὬὩὭ᾿῎῾῞αάεέηήιίοό"
+     "υύωώΑΆΕΈϊΐΙΊϋΰΥΎΟΌΩΏ"},
     {0x302, // circumflex
      "AÂEÊIÎOÔUÛaâeêiîoôuûCĈcĉGĜgĝHĤhĥJĴjĵSŜsŝWŴwŵ"
      "YŶyŷZẐzẑẠẬạậẸỆẹệỌỘọộ"},
@@ -31,10 +36,10 @@ static const struct {
      "ƠỠơỡƯỮưữYỸyỹ"},
     {0x304, // macron
      "AĀaāEĒeēIĪiīOŌoōUŪuūÜǕüǖÄǞäǟȦǠȧǡÆǢæǣǪǬǫǭÖȪöȫ"
-     "ÕȬõȭȮȰȯȱYȲyȳИӢиӣУӮуӯGḠgḡḶḸḷḹṚṜṛṝ"},
+     "ÕȬõȭȮȰȯȱYȲyȳИӢиӣУӮуӯGḠgḡḶḸḷḹṚṜṛṝαᾱΑᾹιῑΙῙυῡΥῩ"},
     {0x306, // breve
      "AĂaăEĔeĕGĞgğIĬiĭOŎoŏUŬuŭУЎИЙийуўЖӁжӂАӐаӑЕӖеӗ"
-     "ȨḜȩḝẠẶạặ"},
+     "ȨḜȩḝẠẶạặαᾰΑᾸιῐΙῘυῠΥῨ"},
     {0x307, // dot above
      "CĊcċEĖeėGĠgġIİZŻzżAȦaȧOȮoȯBḂbḃDḊdḋFḞfḟHḢhḣMṀ"
      "mṁNṄnṅPṖpṗRṘrṙSṠsṡŚṤśṥŠṦšṧṢṨṣṩTṪtṫWẆwẇXẊxẋYẎ"
@@ -42,7 +47,7 @@ static const struct {
     {0x308, // diaeresis
      "AÄEËIÏOÖUÜaäeëiïoöuüyÿYŸΙΪΥΫιϊυϋЕЁІЇеёіїАӒаӓ"
      "ӘӚәӛЖӜжӝЗӞзӟИӤиӥОӦоӧӨӪөӫЭӬэӭУӰуӱЧӴчӵЫӸыӹHḦhḧ"
-     "ÕṎõṏŪṺūṻWẄwẅXẌxẍtẗ"},
+     "ÕṎõṏŪṺūṻWẄwẅXẌxẍtẗϒϔ"},
     {0x309, // hook above
      "AẢaảÂẨâẩĂẲăẳEẺeẻÊỂêểIỈiỉOỎoỏÔỔôổƠỞơởUỦuủƯỬưử"
      "YỶyỷ"},
@@ -64,7 +69,59 @@ static const struct {
      "CÇcçGĢgģKĶkķLĻlļNŅnņRŖrŗSŞsşTŢtţEȨeȩDḐdḑHḨhḩ"},
     {0x328, // ogonek
      "AĄaąEĘeęIĮiįUŲuųOǪoǫ"},
-    {0x3099, // dakuten
+    {0x30f, // double grave
+     "AȀaȁEȄeȅIȈiȉOȌoȍRȐrȑUȔuȕѴѶѵѷ"},
+    {0x311, // inverted breve
+     "AȂaȃEȆeȇIȊiȋOȎoȏRȒrȓUȖuȗ"},
+    {0x313, // smooth breathing
+     "αἀΑἈεἐΕἘηἠΗἨιἰΙἸοὀΟὈυὐωὠΩὨρῤ"},
+    {0x314, // rough breathing
+     "αἁΑἉεἑΕἙηἡΗἩιἱΙἹοὁΟὉυὑΥὙωὡΩὩρῥΡῬ"},
+    {0x324, // diaeresis below
+     "UṲuṳ"},
+    {0x325, // ring below
+     "AḀaḁ"},
+    {0x32d, // circumflex below
+     "DḒdḓEḘeḙLḼlḽNṊnṋTṰtṱUṶuṷ"},
+    {0x32e, // breve below
+     "HḪhḫ"},
+    {0x330, // tilde below
+     "EḚeḛIḬiḭUṴuṵ"},
+    {0x331, // macron below
+     "BḆbḇDḎdḏKḴkḵLḺlḻNṈnṉRṞrṟTṮtṯZẔzẕhẖ"},
+    {0x342, // Greek circumflex
+     "ἀἆἁἇἈἎἉἏἠἦἡἧἨἮἩἯἰἶἱἷἸἾἹἿὐὖὑὗὙὟὠὦὡὧὨὮὩὯαᾶ¨῁ηῆ᾿῏ιῖϊῗ῾῟υῦϋῧωῶ"},
+    {0x345, // iota below
+     "ἀᾀἁᾁἂᾂἃᾃἄᾄἅᾅἆᾆἇᾇἈᾈἉᾉἊᾊἋᾋἌᾌἍᾍἎᾎἏᾏἠᾐἡᾑἢᾒἣᾓἤᾔἥᾕἦᾖἧᾗἨᾘἩᾙἪᾚἫᾛ"
+     "ἬᾜἭᾝἮᾞἯᾟὠᾠὡᾡὢᾢὣᾣὤᾤὥᾥὦᾦὧᾧὨᾨὩᾩὪᾪὫᾫὬᾬὭᾭὮᾮὯᾯὰᾲαᾳάᾴᾶᾷΑᾼὴῂηῃήῄ"
+     "ῆῇΗῌὼῲωῳώῴῶῷΩῼ"},
+    {0x653, // madda
+     "اآ"},
+    {0x654, // hamza
+     "اأوؤيئەۀہۂےۓ"},
+    {0x655, // hamza below
+     "اإ"},
+    {0x93c, // nukta
+     "नऩरऱळऴ"},
+    {0x9be, "েো"}, // Bengali
+    {0x9d7, "েৌ"},
+    {0xb3e, "େୋ"}, // Oriya
+    {0xb56, "େୈ"},
+    {0xb57, "େୌ"},
+    {0xbbe, "ெொேோ"}, // Tamil
+    {0xbd7, "ஒஔெௌ"},
+    {0xc56, "ెై"},  // Telugu
+    {0xcc2, "ೆೊ"}, // Kannada
+    {0xcd5, "ಿೀೆೇೊೋ"},
+    {0xcd6, "ೆೈ"},
+    {0xd3e, "െൊേോ"}, // Malayalam
+    {0xd57, "െൌ"},
+    {0xdca, "ෙේොෝ"}, // Sinhala
+    {0xdcf, "ෙො"},
+    {0xddf, "ෙෞ"},
+    {0x102e, "ဥဦ"},                  // Burmese
+    {0x1b35, "ᬅᬆᬇᬈᬉᬊᬋᬌᬍᬎᬑᬒᬺᬻᬼᬽᬾᭀᬿᭁᭂᭃ"}, // Balinese
+    {0x3099,                         // dakuten
      "かがきぎくぐけげこごさざしじすずせぜそぞただちぢつづてでとどはばひびふぶへべほぼうゔゝゞ"
      "カガキギクグケゲコゴサザシジスズセゼソゾタダチヂツヅテデトドハバヒビフブヘベホボウヴワヷ"
      "ヰヸヱヹヲヺヽヾ"},

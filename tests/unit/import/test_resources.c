@@ -186,7 +186,7 @@ static void test_code_pages(void **state)
 }
 
 // Accents that are joined to their letters in one name and parted from them in the other: Latin with one and two, Cyrillic,
-// Japanese, and Korean with and without a last consonant.
+// Greek with up to three, Arabic, a vowel sign of Tamil, Japanese, and Korean with and without a last consonant.
 static void test_parted_accents(void **state)
 {
     (void)state;
@@ -194,6 +194,8 @@ static void test_parted_accents(void **state)
         {"T\u00fcr \u00c5.tga", "Tu\u0308r A\u030a.tga"},
         {"g\u1ed7.tga", "go\u0302\u0303.tga"},
         {"\u1ee3\u0457\u0439.tga", "o\u031b\u0323\u0456\u0308\u0438\u0306.tga"},
+        {"\u1f85\u1f56\u1fb3.tga", "\u03b1\u0314\u0301\u0345\u03c5\u0313\u0342\u03b1\u0345.tga"},
+        {"\u0622\u1e96\u0bcb.tga", "\u0627\u0653h\u0331\u0bc7\u0bbe.tga"},
         {"\u304c\u30d1\u30b7.tga", "\u304b\u3099\u30cf\u309a\u30b7.tga"},
         {"\uac00\ud55c\ud7a3 \U0001f600.tga",
          "\u1100\u1161\u1112\u1161\u11ab\u1112\u1175\u11c2 \U0001f600.tga"},
@@ -211,6 +213,13 @@ static void test_parted_accents(void **state)
     assert_true(is_found("m.obj", "C:\\alt\\B\u00fcro.png"));
     assert_true(is_found("m.obj", "B%C3%BCro.tga"));
     unlink(path_of("Bu\u0308ro.tga"));
+    // Of two letters that are the same the one that is made of parts is another one.
+    write_picture("\u03b1\u0301.tga");
+    assert_true(is_found("m.obj", "\u1f71.tga"));
+    unlink(path_of("\u03b1\u0301.tga"));
+    write_picture("\u03ac.tga");
+    assert_true(is_found("m.obj", "\u03b1\u0301.tga"));
+    unlink(path_of("\u03ac.tga"));
 }
 
 // Materials whose names are as long as each other in an unknown code page are two.
