@@ -85,7 +85,8 @@ char *scene_assimp_dxf(struct scene_import *import, size_t *size);
 /// Return the bytes of an FBX with layers of materials where its geometries lack them, a 0 behind them. Return NULL if
 /// none does, or if the file is none.
 char *scene_assimp_fbx(struct scene_import *import, size_t *size);
-/// Return the bytes of a 3DS without its keys, where these would tear its meshes apart. Return NULL for other files.
+/// Return the bytes of a 3DS as assimp can read it: without keys that would tear its meshes apart, with the smoothing
+/// groups that its faces lack, and with a chunk in place of zeros. Return NULL if it is right as it is, or no 3DS.
 char *scene_assimp_3ds(struct scene_import *import, size_t *size);
 /// Return the text of an X3D as assimp can read it, a 0 behind it. Return NULL if the file is none.
 char *scene_assimp_x3d(struct scene_import *import, const struct scene_assimp_unknowns *unknowns,

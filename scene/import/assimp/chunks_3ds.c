@@ -32,3 +32,51 @@ bool scene_3ds_next(struct scene_3ds_chunks *chunks, struct scene_3ds_chunk *chu
     chunks->at += size;
     return true;
 }
+
+// Return true if a chunk holds others. Leave these alone in its content.
+static bool find_inner(struct scene_3ds_chunk *chunk)
+{
+    static const size_t holders[] = {SCENE_3DS_FILE, SCENE_3DS_EDITOR, SCENE_3DS_OBJECT,   SCENE_3DS_MESH,
+                                     SCENE_3DS_KEYS, SCENE_3DS_NODE,   SCENE_3DS_MATERIAL, SCENE_3DS_FACES};
+    enum { FACE = 8 };
+    struct scene_3ds_chunks *const content = &chunk->content;
+    const size_t length = content->end - content->at;
+    bool holds = false;
+    for (size_t i = 0; i < sizeof holders / sizeof holders[0]; i++) {
+        holds = holds || chunk->kind == holders[i];
+    }
+    if (chunk->kind == SCENE_3DS_FACES) {
+        const size_t faces =
+            length < 2 ? length : 2 + FACE * scene_3ds_number(content->bytes + content->at, 2);
+        content->at += faces < length ? faces : length;
+    }
+    return holds;
+}
+
+static bool fill(unsigned char *bytes, struct scene_3ds_chunks chunks, unsigned depth)
+{
+    enum { DEEPEST = 6 };
+    struct scene_3ds_chunk chunk;
+    bool is_filled = false;
+    while (depth < DEEPEST && scene_3ds_next(&chunks, &chunk)) {
+        is_filled = (find_inner(&chunk) && fill(bytes, chunk.content, depth + 1)) || is_filled;
+    }
+    const size_t rest = chunks.end - chunks.at;
+    size_t zeros = 0;
+    while (depth < DEEPEST && zeros < rest && bytes[chunks.at + zeros] == 0) {
+        zeros++;
+    }
+    if (zeros < SCENE_3DS_HEAD || zeros < rest || (depth == 0 && chunks.at == 0)) {
+        return is_filled;
+    }
+    memset(bytes + chunks.at, 0xff, 2); // a kind of no meaning
+    for (unsigned i = 0; i < 4; i++) {
+        bytes[chunks.at + 2 + i] = (unsigned char)(rest >> 8 * i);
+    }
+    return true;
+}
+
+bool scene_3ds_fill(unsigned char *bytes, size_t size)
+{
+    return fill(bytes, (struct scene_3ds_chunks){bytes, 0, size}, 0);
+}

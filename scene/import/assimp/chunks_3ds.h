@@ -6,7 +6,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/// Kinds of chunks. The first six hold others.
+/// Kinds of chunks. The first eight hold others, that of faces behind these.
 enum {
     SCENE_3DS_FILE = 0x4d4d,
     SCENE_3DS_EDITOR = 0x3d3d,
@@ -14,8 +14,9 @@ enum {
     SCENE_3DS_MESH = 0x4100,
     SCENE_3DS_KEYS = 0xb000,
     SCENE_3DS_NODE = 0xb002,
-    SCENE_3DS_POINTS = 0x4110,
+    SCENE_3DS_MATERIAL = 0xafff,
     SCENE_3DS_FACES = 0x4120,
+    SCENE_3DS_POINTS = 0x4110,
     SCENE_3DS_SMOOTHING = 0x4150,
     SCENE_3DS_MATRIX = 0x4160,
     SCENE_3DS_PIVOT = 0xb013
@@ -38,5 +39,8 @@ struct scene_3ds_chunk {
 size_t scene_3ds_number(const unsigned char *bytes, size_t count);
 /// Take the next chunk. Return false at the end, or where a chunk is cut.
 bool scene_3ds_next(struct scene_3ds_chunks *chunks, struct scene_3ds_chunk *chunk);
+/// Make chunks of no meaning of zeros that stand behind the last chunk of a file, or of a chunk. Return false where
+/// there are none. assimp 5.2.5 refuses a file for those that are as many as a chunk begins with.
+bool scene_3ds_fill(unsigned char *bytes, size_t size);
 
 #endif

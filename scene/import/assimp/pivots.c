@@ -2,7 +2,7 @@
 // 3DS whose meshes have lost the matrix of their own places. A mesh has its vertices where they are in the world, and
 // its keys move it from that matrix, which programs that do not know it write as that of the origin. A pivot, which is
 // counted from there, says so: with keys the parts would stand apart, so assimp gets the file without keys. It also
-// gets faces in groups where the file leaves them out, which smoothing_groups.c finds.
+// gets faces in groups where the file leaves them out, which smoothing_groups.c finds, and chunks in place of zeros.
 #include "assimp.h"
 #include "chunks_3ds.h"
 #include "smoothing_groups.h"
@@ -52,6 +52,7 @@ char *scene_assimp_3ds(struct scene_import *import, size_t *size)
     if (bytes == NULL) {
         return NULL;
     }
+    const bool is_filled = scene_3ds_fill((unsigned char *)bytes, *size);
     struct look look = {.meshes = 0};
     look_at_chunks(&look, (struct scene_3ds_chunks){(const unsigned char *)bytes, 0, *size}, 0);
     const bool is_lost =
@@ -63,7 +64,7 @@ char *scene_assimp_3ds(struct scene_import *import, size_t *size)
     struct scene_edits edits = {0};
     scene_assimp_group_faces(import, &edits, bytes, *size);
     char *const grouped = edits.count > 0 ? scene_edits_apply(import, &edits, bytes, size) : NULL;
-    if (grouped != NULL || !is_lost) {
+    if (grouped != NULL || (!is_lost && !is_filled)) {
         free(bytes);
         return grouped;
     }

@@ -310,7 +310,7 @@ static void put_fold(struct chunks *chunks, float slope, const uint32_t groups[2
         put(chunks, groups, count * sizeof groups[0]);
         end(chunks, smoothing);
     }
-    put(chunks, "\0\0\0\0\0", zeros);
+    put(chunks, (const char[16]){0}, zeros);
     end(chunks, list);
     end(chunks, mesh);
     end(chunks, object);
@@ -331,11 +331,12 @@ static void test_smoothing(void **state)
         {0.5f, 2, false, {0, 1}}, {3, 2, true, {3, 6}}, {0.5f, 2, false, {1, 2}}, {0.5f, 1, true, {1}},
     };
     enum { CASES = sizeof cases / sizeof cases[0] };
-    for (size_t k = 0; k < 3 * CASES; k++) {
+    static const unsigned zeros[] = {0, 2, 5, 6, 13};
+    for (size_t k = 0; k < 5 * CASES; k++) {
         const size_t i = k % CASES;
         struct chunks chunks = {.size = 0};
         const size_t file = begin(&chunks, 0x4d4d), editor = begin(&chunks, 0x3d3d);
-        put_fold(&chunks, cases[i].slope, cases[i].groups, cases[i].count, (unsigned)(k / CASES * 5 / 2));
+        put_fold(&chunks, cases[i].slope, cases[i].groups, cases[i].count, zeros[k / CASES]);
         put_light(&chunks, 0); // behind what has become longer
         end(&chunks, editor);
         end(&chunks, file);
@@ -390,10 +391,71 @@ static void test_many_flat_faces(void **state)
     scene_model_free(model);
 }
 
+// End a chunk, or the file where `place` is SIZE_MAX, behind zeros if it is the one whose turn it is. Count on.
+static void end_filled(struct chunks *chunks, size_t place, unsigned zeros, int *turn)
+{
+    if ((*turn)-- == 0) {
+        put(chunks, (const char[16]){0}, zeros);
+    }
+    if (place != SIZE_MAX) {
+        end(chunks, place);
+    }
+}
+
+// Zeros behind the last chunk of a file, and of every chunk that holds others, change nothing.
+static void test_zeros(void **state)
+{
+    (void)state;
+    static const float points[3][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    enum { TURNS = 9, MOST = 14 };
+    for (int i = 0; i < TURNS * MOST; i++) {
+        const unsigned zeros = (unsigned)i % MOST;
+        int turn = i / MOST;
+        struct chunks chunks = {.size = 0};
+        const size_t file = begin(&chunks, 0x4d4d), editor = begin(&chunks, 0x3d3d);
+        const size_t material = begin(&chunks, 0xafff);
+        put_text(&chunks, 0xa000, "m");
+        end_filled(&chunks, material, zeros, &turn);
+        const size_t object = begin(&chunks, 0x4000);
+        put(&chunks, "o", 2);
+        const size_t mesh = begin(&chunks, 0x4100), vertices = begin(&chunks, 0x4110);
+        put_short(&chunks, 3);
+        put(&chunks, points, sizeof points);
+        end(&chunks, vertices);
+        const size_t faces = begin(&chunks, 0x4120);
+        for (unsigned k = 0; k < 5; k++) {
+            put_short(&chunks, k == 0 ? 1 : k == 4 ? 7 : k - 1);
+        }
+        const size_t group = begin(&chunks, 0x4130);
+        put(&chunks, "m\0\1\0\0", 6);
+        end(&chunks, group);
+        end_filled(&chunks, faces, zeros, &turn);
+        end_filled(&chunks, mesh, zeros, &turn);
+        end_filled(&chunks, object, zeros, &turn);
+        end_filled(&chunks, editor, zeros, &turn);
+        const size_t keys = begin(&chunks, 0xb000), node = begin(&chunks, 0xb002);
+        const size_t head = begin(&chunks, 0xb010);
+        put(&chunks, "o\0\0\0\0\0\xff\xff", 8);
+        end(&chunks, head);
+        end_filled(&chunks, node, zeros, &turn);
+        end_filled(&chunks, keys, zeros, &turn);
+        end_filled(&chunks, file, zeros, &turn);
+        end_filled(&chunks, SIZE_MAX, zeros, &turn);
+        write_bytes("z.3ds", chunks.bytes, chunks.size);
+        struct scene_model *const model = load("z.3ds");
+        if (model->triangles_drawn != 1 || model->warning_count + model->unsupported_count > 0) {
+            fail_msg("%u zeros in turn %d", zeros, i / MOST);
+        }
+        assert_string_equal(model->materials[model->meshes[0].material].name, "m");
+        scene_model_free(model);
+    }
+}
+
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_lost_places),     cmocka_unit_test(test_smoothing),
     cmocka_unit_test(test_many_flat_faces), cmocka_unit_test(test_told),
     cmocka_unit_test(test_wires),           cmocka_unit_test(test_decal),
+    cmocka_unit_test(test_zeros),
 };
 
 const struct unit_tests test_3ds = UNIT_TESTS(tests, make_directory, remove_directory);
