@@ -1,20 +1,18 @@
 // SPDX-License-Identifier: MIT
 // X3D for assimp, which 5.2.5 reads otherwise than it is written. A list of addresses is of strings in quotation marks,
 // as in url='"wall.png" "http://…/wall.png"', of which assimp refuses one, and makes one of several. It gets the one
-// that is there. It also refuses a file for any node that it does not know, so it gets the file without it, and drops
-// groups of some kinds in silence, which get the names of those that it reads. Texts of metadata it takes for numbers,
-// so it gets no metadata, which is about no picture.
+// that is there. It also refuses a file for any node that it does not know, so it gets the file without it. Texts of
+// metadata it takes for numbers, so it gets no metadata, which is about no picture.
 #include "assimp.h"
 #include "collada_markup.h"
 #include "edits.h"
 #include "import/builder/find_file.h"
+#include "x3d_groups.h"
 #include "x3d_quads.h"
 
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
-
-#define FILLER "x" // a text, which assimp passes over where it reads nodes
 
 // Pass quotation marks, which may be written as &quot;. Return their length, or 0 where there are none.
 static size_t quote_at(const char *text, const char *end)
@@ -102,65 +100,6 @@ static void write_address(struct scene_import *import, struct scene_edits *edits
     }
 }
 
-// Return true if an element ends without content. One that is used again has none, or comments.
-static bool is_bare(char *tag, char *close)
-{
-    return close[-1] == '/' || strncmp(close + 1 + strspn(close + 1, " \t\r\n"), "</", 2) == 0 ||
-           scene_collada_attribute(tag, close, "USE").text != NULL;
-}
-
-// Write a group without content, at which assimp crashes, as one with a text, of which it takes no notice.
-static void write_bare(struct scene_import *import, struct scene_edits *edits, const char *text, char *tag,
-                       char *close, const char *name)
-{
-    char written[64];
-    if (close[-1] == '/') {
-        snprintf(written, sizeof written, "<%s>" FILLER "</%s>", name, name);
-    } else {
-        snprintf(written, sizeof written, "<%s>" FILLER, name);
-    }
-    scene_edits_add_string(import, edits, (size_t)(tag - text), (size_t)(close - tag) + 1, written);
-    if (scene_collada_attribute(tag, close, "USE").text != NULL) {
-        scene_import_unsupported(import, "groups that are used again (X3D): not drawn");
-    }
-}
-
-// Write a group as one that assimp reads. Of levels of detail the first is the finest. Return false if it is no group.
-static bool write_group(struct scene_import *import, struct scene_edits *edits, const char *text, char *tag,
-                        char *close)
-{
-    static const char *const groups[][3] = {{"Group", "Group", "Group"},
-                                            {"StaticGroup", "StaticGroup", "StaticGroup"},
-                                            {"Transform", "Transform", "Transform"},
-                                            {"Switch", "Switch", "Switch"},
-                                            {"Collision", "Group", "Group"},
-                                            {"Anchor", "Group", "Group"},
-                                            {"Billboard", "Group", "Group"},
-                                            {"PickableGroup", "Group", "Group"},
-                                            {"LayoutGroup", "Group", "Group"},
-                                            {"ScreenGroup", "Group", "Group"},
-                                            {"CADLayer", "Group", "Group"},
-                                            {"CADAssembly", "Group", "Group"},
-                                            {"CADFace", "Group", "Group"},
-                                            {"CADPart", "Transform", "Transform"},
-                                            {"EspduTransform", "Transform", "Transform"},
-                                            {"LOD", "Switch whichChoice=\"0\"", "Switch"}};
-    char *const name = tag + (tag[1] == '/');
-    for (size_t i = 0; i < sizeof groups / sizeof groups[0]; i++) {
-        if (!scene_collada_is_tag(name, groups[i][0])) {
-            continue;
-        }
-        const char *const written = groups[i][name == tag ? 1 : 2];
-        if (name == tag && is_bare(tag, close)) {
-            write_bare(import, edits, text, tag, close, groups[i][2]);
-        } else if (strcmp(written, groups[i][0]) != 0) {
-            scene_edits_add_string(import, edits, (size_t)(name + 1 - text), strlen(groups[i][0]), written);
-        }
-        return true;
-    }
-    return false;
-}
-
 // Write a tag of metadata, which holds nothing but others of its kind, as a text. Return false if it is another.
 static bool write_metadata(struct scene_import *import, struct scene_edits *edits, const char *text,
                            const char *tag, const char *close)
@@ -171,12 +110,13 @@ static bool write_metadata(struct scene_import *import, struct scene_edits *edit
         return false;
     }
     scene_edits_add_string(import, edits, (size_t)(tag - text), (size_t)(close - tag) + 1,
-                           is_end ? "" : FILLER);
+                           is_end ? "" : SCENE_X3D_FILLER);
     return true;
 }
 
-static char *write_tags(struct scene_import *import, char *text, size_t *size)
+static char *write_tags(struct scene_import *import, char *source, size_t *size)
 {
+    char *const text = scene_assimp_repeat_groups(import, source, size);
     struct scene_edits edits = {0};
     struct scene_x3d_quads quads = {0};
     char *close;
@@ -186,10 +126,10 @@ static char *write_tags(struct scene_import *import, char *text, size_t *size)
             break;
         }
         if (strncmp(tag, "<!---->", 7) == 0) { // a comment that assimp takes for a node
-            scene_edits_add_string(import, &edits, (size_t)(tag + 4 - text), 0, FILLER);
+            scene_edits_add_string(import, &edits, (size_t)(tag + 4 - text), 0, SCENE_X3D_FILLER);
         } else if (!write_metadata(import, &edits, text, tag, close) &&
                    !scene_assimp_write_quads(import, &edits, &quads, text, tag, close, text + *size) &&
-                   !write_group(import, &edits, text, tag, close)) {
+                   !scene_assimp_write_group(import, &edits, text, tag, close)) {
             write_address(import, &edits, text, tag, close);
         }
     }
@@ -223,7 +163,7 @@ static void blank_nodes(char *text, size_t size, const struct scene_assimp_unkno
         depth -= is_end && depth > 0;
         if (first != NULL && is_node && depth == first_depth && (is_end || close[-1] == '/')) {
             memset(first, ' ', (size_t)(close - first) + 1);
-            memcpy(first, FILLER, strlen(FILLER)); // a group may have nothing else
+            memcpy(first, SCENE_X3D_FILLER, strlen(SCENE_X3D_FILLER)); // a group may have nothing else
             first = NULL;
         } else if (is_node && !is_end && close[-1] != '/') {
             open[depth++] = tag;

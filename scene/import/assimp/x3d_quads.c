@@ -9,7 +9,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define FACES "IndexedFaceSet"
+#define FACES       "IndexedFaceSet"
+#define COORDINATES "Coordinate"
 
 static const char blanks[] = ", \t\r\n";
 
@@ -61,8 +62,44 @@ static char *write_faces(struct scene_import *import, struct scene_collada_value
     return text;
 }
 
-// Return how many points the node has whose first tag ends at `close`. Return 0 where they do not stand in it.
-static size_t count_points(char *close, const char *end)
+// Find what has a name. Return NULL where nothing has it.
+static const struct scene_x3d_name *find_name(const struct scene_x3d_quads *quads,
+                                              struct scene_collada_value name)
+{
+    size_t place = SIZE_MAX;
+    const uint32_t hash = scene_hash_bytes(name.text, name.length);
+    for (uint32_t i = scene_hash_next(&quads->places, hash, &place); i != UINT32_MAX;
+         i = scene_hash_next(&quads->places, hash, &place)) {
+        if (quads->names[i].name.length == name.length &&
+            memcmp(quads->names[i].name.text, name.text, name.length) == 0) {
+            return &quads->names[i];
+        }
+    }
+    return NULL;
+}
+
+static void add_name(struct scene_import *import, struct scene_x3d_quads *quads,
+                     struct scene_collada_value name, size_t points)
+{
+    if (name.text != NULL && find_name(quads, name) == NULL) {
+        scene_import_reserve(import, &quads->names, &quads->capacity, quads->count + 1, sizeof *quads->names);
+        scene_hash_add(import, &quads->places, scene_hash_bytes(name.text, name.length),
+                       (uint32_t)quads->count);
+        quads->names[quads->count++] = (struct scene_x3d_name){name, points};
+    }
+}
+
+// Return how many points a list has, or the list that it uses again. Return 0 where that is not known.
+static size_t count_listed(const struct scene_x3d_quads *quads, char *tag, char *close)
+{
+    const struct scene_collada_value use = scene_collada_attribute(tag, close, "USE");
+    const struct scene_collada_value points = scene_collada_attribute(tag, close, "point");
+    const struct scene_x3d_name *const used = use.text == NULL ? NULL : find_name(quads, use);
+    return used != NULL ? used->points : points.text != NULL ? count_numbers(points) / 3 : 0;
+}
+
+// Return how many points the node has whose first tag ends at `close`. Return 0 where they are not known.
+static size_t count_points(const struct scene_x3d_quads *quads, char *close, const char *end)
 {
     static const char name[] = "QuadSet";
     for (char *tag = close[-1] == '/' ? NULL : strchr(close, '<');
@@ -72,38 +109,11 @@ static size_t count_points(char *close, const char *end)
         if (close == NULL) {
             return 0;
         }
-        if (scene_collada_is_tag(tag, "Coordinate")) {
-            const struct scene_collada_value points = scene_collada_attribute(tag, close, "point");
-            return points.text == NULL ? 0 : count_numbers(points) / 3;
+        if (scene_collada_is_tag(tag, COORDINATES)) {
+            return count_listed(quads, tag, close);
         }
     }
     return 0;
-}
-
-// Return true if a set of a name was written.
-static bool has_name(const struct scene_x3d_quads *quads, struct scene_collada_value name)
-{
-    size_t place = SIZE_MAX;
-    const uint32_t hash = scene_hash_bytes(name.text, name.length);
-    for (uint32_t i = scene_hash_next(&quads->places, hash, &place); i != UINT32_MAX;
-         i = scene_hash_next(&quads->places, hash, &place)) {
-        if (quads->names[i].length == name.length &&
-            memcmp(quads->names[i].text, name.text, name.length) == 0) {
-            return true;
-        }
-    }
-    return false;
-}
-
-static void add_name(struct scene_import *import, struct scene_x3d_quads *quads,
-                     struct scene_collada_value name)
-{
-    if (name.text != NULL && !has_name(quads, name)) {
-        scene_import_reserve(import, &quads->names, &quads->capacity, quads->count + 1, sizeof *quads->names);
-        scene_hash_add(import, &quads->places, scene_hash_bytes(name.text, name.length),
-                       (uint32_t)quads->count);
-        quads->names[quads->count++] = name;
-    }
 }
 
 // Return the first tag of a set as that of a set of faces. Return NULL if it cannot be written so.
@@ -112,17 +122,20 @@ static char *write_start(struct scene_import *import, struct scene_x3d_quads *qu
 {
     const struct scene_collada_value use = scene_collada_attribute(tag, close, "USE");
     if (use.text != NULL) {
-        return has_name(quads, use) ? strcpy(scene_import_allocate(import, sizeof FACES, 1), FACES) : NULL;
+        const struct scene_x3d_name *const used = find_name(quads, use);
+        return used != NULL && used->points == 0
+                   ? strcpy(scene_import_allocate(import, sizeof FACES, 1), FACES)
+                   : NULL;
     }
     const struct scene_collada_value index =
         has_index ? scene_collada_attribute(tag, close, "index") : (struct scene_collada_value){NULL, 0};
-    const size_t count = !has_index           ? count_points(close, end)
+    const size_t count = !has_index           ? count_points(quads, close, end)
                          : index.text == NULL ? 0
                                               : count_numbers(index);
     if (count < 4) {
         return NULL;
     }
-    add_name(import, quads, scene_collada_attribute(tag, close, "DEF"));
+    add_name(import, quads, scene_collada_attribute(tag, close, "DEF"), 0);
     return write_faces(import, index, count);
 }
 
@@ -133,6 +146,13 @@ bool scene_assimp_write_quads(struct scene_import *import, struct scene_edits *e
     static const char *const names[] = {"QuadSet", "IndexedQuadSet"};
     const bool is_end = tag[1] == '/';
     const size_t which = scene_collada_is_tag(tag + is_end, names[1]);
+    if (scene_collada_is_tag(tag, COORDINATES)) {
+        const struct scene_collada_value name = scene_collada_attribute(tag, close, "DEF");
+        const size_t points = name.text == NULL ? 0 : count_listed(quads, tag, close);
+        if (points > 0) {
+            add_name(import, quads, name, points);
+        }
+    }
     if (which == 0 && !scene_collada_is_tag(tag + is_end, names[0])) {
         return false;
     }

@@ -7,16 +7,23 @@
 #include "edits.h"
 #include "import/builder/hash_table.h"
 
+/// A name by which a node is used again.
+struct scene_x3d_name {
+    struct scene_collada_value name;
+    size_t points; ///< how many a list of points has; 0 is that of a set that was written
+};
+
 /// What is kept between the tags of a document. A zeroed struct is that of its beginning.
 struct scene_x3d_quads {
-    bool is_open;                      ///< the last set was written, and not its end
-    struct scene_collada_value *names; ///< sets that were written have them, and are used again by them
+    bool is_open; ///< the last set was written, and not its end
+    struct scene_x3d_name *names;
     size_t count, capacity;
     struct scene_hash_table places;
 };
 
 /// Write a tag of a set of quads, from `tag` to `close`, as that of a set of faces. `text` is where the document
-/// begins. Return false if it is another tag. Tell of quads that cannot be written so.
+/// begins. Return false if it is another tag, of which one of a list of points is kept. Tell of quads that cannot be
+/// written so.
 bool scene_assimp_write_quads(struct scene_import *import, struct scene_edits *edits,
                               struct scene_x3d_quads *quads, const char *text, char *tag, char *close,
                               const char *end);

@@ -3,6 +3,7 @@
 #include "model_files.h"
 
 #include <inttypes.h>
+#include <stdio.h>
 #include <string.h>
 #include <unistd.h>
 
@@ -68,10 +69,19 @@ static void test_nodes(void **state)
         {"<Collision></Collision><CADPart>\n</CADPart><LOD></LOD><Group><!-- x --></Group>", 1, NULL},
         {"<Group><!----></Group><!---->" SHAPE("<!---->"), 2, NULL},
         {"<Switch whichChoice='1'><Group/>" SHAPE("") "</Switch>", 2, NULL},
-        {"<Billboard DEF='b'>" SHAPE("") "</Billboard><Billboard USE='b'/>", 2, used},
-        {"<Transform DEF='b'>" SHAPE("") "</Transform><Group><Transform USE='b'></Transform></Group>", 2,
-         used},
-        {"<Group DEF='b'>" SHAPE("") "</Group><Group USE='b'><!-- again --></Group>", 2, used},
+        {"<Billboard DEF='b'>" SHAPE("") "</Billboard><Billboard USE='b'/>" SHAPE(""), 4, NULL},
+        {"<Transform DEF='b'>" SHAPE("") "</Transform><Group><Transform USE='b'></Transform></Group>", 3,
+         NULL},
+        {"<Group DEF='b'>" SHAPE("") "</Group><Group USE='b'><!-- </again> --> </Group>", 3, NULL},
+        {"<Group DEF='a'>" SHAPE("") "<Group DEF='b'>" SHAPE(
+             "") "</Group></Group><Group DEF='c'><LOD USE='a'/>"
+                 "<Group USE='b'/></Group><Group><Group USE='c' /></Group>",
+         9, NULL},
+        {"<Group DEF='b'/><Group DEF='ab'>" SHAPE("") "</Group><Group USE='b'/><Group USE='ab'/>", 3, NULL},
+        {"<Switch whichChoice='-1'><Group DEF='b'>" SHAPE("") "</Group></Switch><Group USE='b'/>", 2, NULL},
+        {"<Group DEF='b'>" SHAPE("") "<Group USE='b'/></Group>", 2, used},
+        {"<Group USE='b'/><Group DEF='b'>" SHAPE("") "</Group>", 2, used},
+        {"<Group DEF='b'>" SHAPE("") "</Group><Group USE='c'/>", 2, used},
         {"<MetadataSet><MetadataString containerField='value' value='\"b\"'/></MetadataSet>"
          "<Group><MetadataString value='\"b\"'/></Group><Switch><MetadataFloat "
          "value='1'></MetadataFloat></Switch>",
@@ -89,6 +99,25 @@ static void test_nodes(void **state)
         }
         scene_model_free(model);
     }
+}
+
+// Groups of two uses each, in each other, are repeated as long as the file stays of a bounded size.
+static void test_groups_within_groups(void **state)
+{
+    (void)state;
+    enum { DEEPEST = 40, LONGEST = 128 };
+    static char text[DEEPEST * LONGEST + 4096];
+    int length =
+        snprintf(text, sizeof text, "<X3D><Scene><Group DEF='g0'><!--%2000s-->%s</Group>", "", SHAPE(""));
+    for (int i = 1; i < DEEPEST; i++) {
+        length += snprintf(text + length, LONGEST,
+                           "<Group DEF='g%d'><Group USE='g%d'/><Group USE='g%d'/></Group>", i, i - 1, i - 1);
+    }
+    strcpy(text + length, "</Scene></X3D>");
+    struct scene_model *const model = load_text("w.x3d", text);
+    assert_true(is_unsupported(model, "groups that are used again (X3D): not drawn"));
+    assert_true(model->triangles_drawn > 1000 && model->triangles_drawn < 5000);
+    scene_model_free(model);
 }
 
 #define QUADS "<Coordinate point='0 0 0 1 0 0, 1 1 0 0 1 0 2 0 0 3 0 0 3 1 0 2 1 0'/>"
@@ -118,6 +147,17 @@ static void test_quads(void **state)
          "</QuadSet></Shape><Shape><QuadSet USE='q'/>",
          8, true},
         {"<QuadSet DEF='q'><Coordinate USE='c'/></QuadSet></Shape><Shape><QuadSet USE='q'/>", 0, true},
+        {"<QuadSet><Coordinate DEF='c' point='0 0 0 1 0 0, 1 1 0 0 1 0'/></QuadSet></Shape><Shape><QuadSet>"
+         "<Coordinate USE='c'/></QuadSet></Shape><Shape><IndexedQuadSet index='1 2 3 0'><Coordinate USE='c'/>"
+         "</IndexedQuadSet>",
+         6, false},
+        {"<IndexedFaceSet coordIndex='0 1 2 -1'><Coordinate DEF='d' point='0 0 0 1 0 0 1 1 0 0 1 0 0 0 1 1 1 "
+         "1 0 0 2'/>"
+         "</IndexedFaceSet></Shape><Shape><QuadSet><Coordinate USE='d'/></QuadSet>",
+         3, false},
+        {"<QuadSet><Coordinate DEF='c' point='0 0 0 1 0 0, 1 1 0 0 1 0'/></QuadSet></Shape><Shape><QuadSet "
+         "USE='c'/>",
+         2, true},
         {"<QuadSet><Coordinate USE='c'/></QuadSet>", 0, true},
         {"<QuadSet/></Shape><Shape><IndexedFaceSet coordIndex='0 1 2 -1'>" QUADS "</IndexedFaceSet>", 1,
          true},
@@ -150,6 +190,7 @@ static void test_quads(void **state)
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_addresses),
     cmocka_unit_test(test_nodes),
+    cmocka_unit_test(test_groups_within_groups),
     cmocka_unit_test(test_quads),
 };
 
