@@ -165,19 +165,32 @@ def without_overlap(places):
     return rounds
 
 
+def tell_tests(tests, slow, failed, most):
+    """Tells how many tests there are, and which are left out and why. Without any it ends the script."""
+    load = f"{os.getloadavg()[0]:.0f} programs run on {os.cpu_count()} cores"
+    lines = [f"{len(slow)} take longer than {most:g} s ({load}; --test-seconds allows more): {' '.join(slow)}"] if slow else []
+    lines += [f"{len(failed)} fail without a mutant: {' '.join(failed)}"] if failed else []
+    if not tests:
+        sys.exit("\n".join(["script/mutate: no test can be used", *(lines or ["none has such a name"])]))
+    print(f"{len(tests)} tests that pass in time", *lines, sep="\n", flush=True)
+
+
 def run_round(options, source, build, places, folder):
-    """The rows of a round: a place, the test that noticed it or None, how many tests ran and how many reach it."""
+    """The rows of a round: a place, the test that noticed it or None, how many tests ran, how many reach it and how many of them
+    the machine was too busy for."""
     copy_sources(source)  # without the mutants of the round before
     places = build_all(source, build, places)
-    tests = suite.look(suite.tests_of(build, options.tests, LABELS_WITHOUT), options.test_seconds, folder / "reached")
-    print(f"{len(places)} mutants, {len(tests)} tests that pass in time", flush=True)
+    print(f"{len(places)} mutants", flush=True)
+    told = suite.look(suite.tests_of(build, options.tests, LABELS_WITHOUT), options.test_seconds, folder / "reached")
+    tests = told[0]
+    tell_tests(*told, options.test_seconds)
 
     def try_one(place):
-        noticed, ran = suite.notice(tests, place.number, options.seconds)
+        noticed, ran, busy = suite.notice(tests, place.number, options.seconds)
         reaching = sum(place.number in test.reached for test in tests)
         if not noticed:
-            print(f"{place} ({ran} of {reaching} tests)", flush=True)
-        return place, noticed, ran, reaching
+            print(f"{place} ({ran} of {reaching} tests{f', {busy} of them timed out without it too' if busy else ''})", flush=True)
+        return place, noticed, ran, reaching, busy
 
     with ThreadPoolExecutor(os.cpu_count()) as pool:
         return list(pool.map(try_one, places))
@@ -187,7 +200,7 @@ def save(path, rows):
     with open(path, "w", newline="") as file:
         writer = csv.writer(file)
         writer.writerow(["file", "line", "kind", "change", "noticed by", "tests run", "tests that reach it"])
-        for place, noticed, ran, reaching in rows:
+        for place, noticed, ran, reaching, _ in rows:
             writer.writerow([place.file, place.line, place.kind, place.told, noticed or "", ran, reaching])
 
 
@@ -207,6 +220,9 @@ def main():
         save(options.save, rows)
     noticed = sum(row[1] is not None for row in rows)
     print(f"{noticed} of {len(rows)} noticed, {sum(row[3] == 0 for row in rows)} that no test reaches")
+    busy = sum(row[1] is None and row[4] > 0 for row in rows)
+    if busy:
+        print(f"{busy} for which the machine was too busy to tell: try them --again")
 
 
 if __name__ == "__main__":

@@ -10,6 +10,7 @@ from dataclasses import dataclass, field
 
 MOST = 65536  # as MUTANTS_MOST in mutant.h
 MEMORY = 12 << 30  # bytes that a process may map: a mutant may ask for all there is
+LEAST = 10  # seconds that a test of a mutant gets, however short it is without one
 # What cannot be told from the exit status of one command.
 NOT_ALONE = {"DEPENDS", "FIXTURES_REQUIRED", "PASS_REGULAR_EXPRESSION", "WILL_FAIL"}
 
@@ -56,8 +57,9 @@ def tests_of(build, pattern, labels_without):
 
 
 def look(tests, most, reached_file):
-    """Runs each test as it is. Returns those that pass within `most` seconds, the fastest first, with what they reach."""
-    good = []
+    """Runs each test as it is. Returns those that pass within `most` seconds, the fastest first, with what they reach, and the
+    names of those that take longer, and of those that fail."""
+    good, slow, failed = [], [], []
     for test in tests:
         reached_file.write_bytes(bytes(MOST))
         start = time.monotonic()
@@ -66,19 +68,27 @@ def look(tests, most, reached_file):
         if status == 0:
             test.reached = {number for number, byte in enumerate(reached_file.read_bytes()) if byte}
             good.append(test)
-    return sorted(good, key=lambda test: test.seconds)
+        elif status is None:
+            slow.append(test.name)
+        elif status != test.skips:
+            failed.append(test.name)
+    return sorted(good, key=lambda test: test.seconds), slow, failed
 
 
 def notice(tests, number, most):
-    """The first test that fails with mutant `number`, and how many tests of those that reach it ran in `most` seconds."""
-    start, ran = time.monotonic(), 0
+    """The first test that fails with mutant `number`, how many tests of those that reach it ran in `most` seconds, and how many
+    of these took too long with the mutant and without it, so that they tell nothing."""
+    start, ran, busy = time.monotonic(), 0, 0
     for test in tests:
         if number not in test.reached:
             continue
         if ran and time.monotonic() - start + test.seconds > most:
             break
         ran += 1
-        status = test.run(10 + 10 * test.seconds, RHW_MUTANT=str(number))
-        if status != 0:
-            return test.name, ran
-    return None, ran
+        limit = LEAST + 10 * test.seconds
+        status = test.run(limit, RHW_MUTANT=str(number))
+        if status is None and test.run(limit) is None:
+            busy += 1
+        elif status != 0:
+            return test.name, ran, busy
+    return None, ran, busy
