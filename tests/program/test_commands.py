@@ -32,7 +32,7 @@ ELSEWHERE = "needs compilers for other machines"
 ONE_FILE = "half a minute; program_amalgamation does it"
 SANITIZED = "builds the library anew; program_embedding does it in script/test thread"
 NOT_RUN = {
-    r"script/build": BUILDS,
+    r"(script/bootstrap vulkan && )?script/build( --target rhw_vulkan)?": BUILDS,
     r"script/demo": BUILDS,
     r"(CTEST_ARGS='.*' )?script/test(-long)?( \w+)?": "runs this test",
     r"script/bench": MINUTES,
