@@ -43,7 +43,7 @@ static void make_neighbours(struct rig *rig, struct neighbours *made)
     vkGetImageMemoryRequirements(rig->device, made->image, &needs);
     made->image_size = (needs.size + 63) / 64 * 64;
     const VkMemoryAllocateInfo allocation = {.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO,
-                                             .allocationSize = made->image_size + 128};
+                                             .allocationSize = made->image_size + 192};
     void *bytes;
     CHECK(vkAllocateMemory(rig->device, &allocation, NULL, &made->memory));
     RIG_KEEP(rig, DEVICE_MEMORY, made->memory);
@@ -66,6 +66,7 @@ static void nothing_is_written_outside(void **state)
     struct neighbours made;
     rig_open(&rig);
     make_neighbours(&rig, &made);
+    const VkBuffer after = make_neighbour(&rig, made.memory, made.image_size + 128);
     const struct rig_buffer zeros = rig_buffer(&rig, 4096, NULL);
     VkCommandBuffer commands = rig.commands;
     const VkBufferCopy copy = {0, 0, 4096}, far = {0, 1 << 20, 64};
@@ -100,6 +101,9 @@ static void nothing_is_written_outside(void **state)
     vkCmdWriteTimestamp(commands, VK_PIPELINE_STAGE_BOTTOM_OF_PIPE_BIT, pool, 1000);
     vkCmdCopyQueryPoolResults(commands, pool, 0, 2, made.first, 0, made.image_size + 64,
                               VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_PARTIAL_BIT);
+    // This stride leads to the bytes before those that it counts from.
+    vkCmdCopyQueryPoolResults(commands, pool, 0, 2, after, 0, (VkDeviceSize)-8,
+                              VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_PARTIAL_BIT);
     rig_run(&rig);
     vkDestroyQueryPool(rig.device, pool, NULL);
     for (int i = 0; i < 64; i++) {
@@ -116,8 +120,68 @@ static void nothing_is_written_outside(void **state)
     rig_close(&rig);
 }
 
+// Slices of a buffer stand 2^31 rows of 2^31 texels apart, whose bytes are 0 in 64 bits. The second one is not there.
+static void slices_stand_far_apart(void **state)
+{
+    (void)state;
+    if (getenv("RHW_TEST_VALIDATION")) {
+        skip(); // the layer tells the misuse
+    }
+    struct rig rig;
+    rig_open(&rig);
+    const uint32_t ones[4] = {0x01010101, 0x01010101, 0x01010101, 0x01010101};
+    const struct rig_buffer buffer = rig_buffer(&rig, sizeof ones, ones);
+    const struct rig_image image =
+        rig_layers(&rig, VK_FORMAT_R8G8B8A8_UNORM, 2, 1, 2,
+                   VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT);
+    rig_barrier(&rig, &image, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL);
+    const VkBufferImageCopy region = {.bufferRowLength = 1u << 31,
+                                      .bufferImageHeight = 1u << 31,
+                                      .imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 2},
+                                      .imageExtent = {2, 1, 1}};
+    vkCmdCopyBufferToImage(rig.commands, buffer.buffer, image.image, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1,
+                           &region);
+    rig_barrier(&rig, &image, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL);
+    const struct rig_buffer read = rig_read(&rig, &image, 4);
+    rig_run(&rig);
+    for (int i = 0; i < 4; i++) {
+        assert_int_equal(((const uint32_t *)read.bytes)[i], 0);
+    }
+    rig_close(&rig);
+}
+
+// A region names one aspect. One that names both is no region of stencil, of 1 byte a texel, but one of depth.
+static void two_aspects_have_no_room(void **state)
+{
+    (void)state;
+    if (getenv("RHW_TEST_VALIDATION")) {
+        skip(); // the layer tells the misuse
+    }
+    struct rig rig;
+    struct neighbours made;
+    rig_open(&rig);
+    make_neighbours(&rig, &made);
+    const struct rig_image image =
+        rig_image(&rig, VK_FORMAT_D32_SFLOAT_S8_UINT, 1, 1, VK_SAMPLE_COUNT_1_BIT,
+                  VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT);
+    const VkImageAspectFlags both = VK_IMAGE_ASPECT_DEPTH_BIT | VK_IMAGE_ASPECT_STENCIL_BIT;
+    const VkClearDepthStencilValue one = {1, 0};
+    const VkImageSubresourceRange range = {both, 0, 1, 0, 1};
+    rig_barrier(&rig, &image, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_GENERAL);
+    vkCmdClearDepthStencilImage(rig.commands, image.image, VK_IMAGE_LAYOUT_GENERAL, &one, 1, &range);
+    const VkBufferImageCopy end = {
+        .bufferOffset = 62, .imageSubresource = {both, 0, 0, 1}, .imageExtent = {1, 1, 1}};
+    vkCmdCopyImageToBuffer(rig.commands, image.image, VK_IMAGE_LAYOUT_GENERAL, made.last, 1, &end);
+    rig_run(&rig);
+    assert_int_equal(made.bytes[64], 0);
+    assert_int_equal(made.bytes[65], 0);
+    rig_close(&rig);
+}
+
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(nothing_is_written_outside),
+    cmocka_unit_test(slices_stand_far_apart),
+    cmocka_unit_test(two_aspects_have_no_room),
 };
 
 const struct unit_tests test_vulkan_bounds = UNIT_TESTS(tests, NULL, NULL);

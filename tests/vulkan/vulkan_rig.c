@@ -175,6 +175,7 @@ void rig_destroy(VkDevice device, const struct rig_thing *thing)
         DESTROY(FRAMEBUFFER, Framebuffer)
         DESTROY(COMMAND_POOL, CommandPool)
         DESTROY(FENCE, Fence)
+        DESTROY(QUERY_POOL, QueryPool)
 #undef DESTROY
     case VK_OBJECT_TYPE_DEVICE_MEMORY: vkFreeMemory(device, (VkDeviceMemory)thing->handle, NULL); break;
     default: fail_msg("a thing of type %d is not destroyed", (int)thing->type);

@@ -14,19 +14,21 @@ struct buffer_copy {
     VkBufferImageCopy region;
 };
 
-// Return the rows of texels or blocks in the buffer.
+// Return the rows of texels or blocks in the buffer. Slices that are further apart than numbers reach are as far apart
+// as these do.
 static struct vulkan_rows buffer_rows(const struct buffer_copy *copy)
 {
     const VkBufferImageCopy *const region = &copy->region;
     const VkImage image = copy->image;
     const uint32_t width = (uint32_t)rhw_format_block_width(image->format);
     const uint32_t height = (uint32_t)rhw_format_block_height(image->format);
-    const uint32_t columns = region->bufferRowLength ? region->bufferRowLength : region->imageExtent.width;
-    const uint32_t rows = region->bufferImageHeight ? region->bufferImageHeight : region->imageExtent.height;
+    const size_t columns = region->bufferRowLength ? region->bufferRowLength : region->imageExtent.width;
+    const size_t rows = region->bufferImageHeight ? region->bufferImageHeight : region->imageExtent.height;
     const size_t bytes = vulkan_format_bytes(image->vulkan_format, region->imageSubresource.aspectMask);
-    const size_t pitch = (columns + width - 1) / width * bytes;
+    const size_t pitch = (columns + width - 1) / width * bytes, count = (rows + height - 1) / height;
+    const bool is_product = pitch == 0 || count <= SIZE_MAX / pitch;
     return (struct vulkan_rows){copy->bytes + region->bufferOffset, pitch,
-                                (rows + height - 1) / height * pitch};
+                                is_product ? count * pitch : SIZE_MAX};
 }
 
 static struct rhw_texture_region image_region(const struct buffer_copy *copy)

@@ -295,6 +295,12 @@ static unsigned char *write_number(unsigned char *at, uint64_t value, VkQueryRes
     return at + size;
 }
 
+// Return whether an answer of `each` bytes has room.
+static bool has_room(const struct results *results, VkDeviceSize each, uint32_t index)
+{
+    return each <= results->size && (index == 0 || results->stride <= (results->size - each) / index);
+}
+
 // Write the answers. Return VK_NOT_READY if one is missing. The queue's lock is held.
 static VkResult write_results(const struct results *results)
 {
@@ -303,7 +309,7 @@ static VkResult write_results(const struct results *results)
     const int numbers = results->pool->type == VK_QUERY_TYPE_TRANSFORM_FEEDBACK_STREAM_EXT ? 2 : 1;
     const bool tells = results->flags & VK_QUERY_RESULT_WITH_AVAILABILITY_BIT;
     const VkDeviceSize each = (VkDeviceSize)(numbers + tells) * number;
-    for (uint32_t i = 0; i < results->count && i * results->stride + each <= results->size; i++) {
+    for (uint32_t i = 0; i < results->count && has_room(results, each, i); i++) {
         const struct vulkan_query *const query = &results->pool->queries[results->first + i];
         unsigned char *at = results->data + i * results->stride;
         for (int n = 0; n < numbers; n++) {

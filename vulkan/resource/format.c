@@ -216,6 +216,7 @@ bool vulkan_format_is_compressed(VkFormat format)
 size_t vulkan_format_bytes(VkFormat format, VkImageAspectFlags aspect)
 {
     const enum rhw_format own = vulkan_format(format);
-    const bool is_stencil = aspect & vulkan_format_aspects(format) & VK_IMAGE_ASPECT_STENCIL_BIT;
+    const bool is_stencil =
+        aspect == VK_IMAGE_ASPECT_STENCIL_BIT && vulkan_format_aspects(format) & VK_IMAGE_ASPECT_STENCIL_BIT;
     return is_stencil ? 1 : rhw_format_block_bytes(own);
 }

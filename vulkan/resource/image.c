@@ -56,7 +56,7 @@ static enum rhw_texture_kind kind_of(VkImageType type)
 
 void vulkan_image_forget(VkQueue queue, VkImage image)
 {
-    if (image->memory->has_aliases && image->texture.context != 0) {
+    if (image->memory && image->memory->has_aliases && image->texture.context != 0) {
         for (uint32_t level = 0; level < image->levels; level++) {
             rhw_texture_changed(queue->context, image->texture, (int)level, 0, 0);
         }
