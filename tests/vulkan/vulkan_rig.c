@@ -69,7 +69,8 @@ static const char *const extensions[] = {
     VK_EXT_CUSTOM_BORDER_COLOR_EXTENSION_NAME,   VK_EXT_DEPTH_CLIP_ENABLE_EXTENSION_NAME,
     VK_EXT_INDEX_TYPE_UINT8_EXTENSION_NAME,      VK_EXT_LINE_RASTERIZATION_EXTENSION_NAME,
     VK_EXT_PROVOKING_VERTEX_EXTENSION_NAME,      VK_EXT_SCALAR_BLOCK_LAYOUT_EXTENSION_NAME,
-    VK_EXT_TRANSFORM_FEEDBACK_EXTENSION_NAME,    VK_EXT_VERTEX_ATTRIBUTE_DIVISOR_EXTENSION_NAME};
+    VK_EXT_TRANSFORM_FEEDBACK_EXTENSION_NAME,    VK_EXT_VERTEX_ATTRIBUTE_DIVISOR_EXTENSION_NAME,
+    VK_EXT_BORDER_COLOR_SWIZZLE_EXTENSION_NAME};
 
 // Ask the device for all features of these structs, and enable them.
 struct features {
@@ -86,6 +87,7 @@ struct features {
     VkPhysicalDeviceVertexAttributeDivisorFeaturesEXT divisors;
     VkPhysicalDeviceTransformFeedbackFeaturesEXT feedback;
     VkPhysicalDeviceShaderDrawParametersFeatures numbers;
+    VkPhysicalDeviceBorderColorSwizzleFeaturesEXT swizzles;
     VkPhysicalDeviceFeatures2 all;
 };
 
@@ -116,7 +118,9 @@ static void ask_features(VkPhysicalDevice physical, struct features *f)
                      .pNext = &f->divisors},
         .numbers = {.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_SHADER_DRAW_PARAMETERS_FEATURES,
                     .pNext = &f->feedback},
-        .all = {.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2, .pNext = &f->numbers}};
+        .swizzles = {.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_BORDER_COLOR_SWIZZLE_FEATURES_EXT,
+                     .pNext = &f->numbers},
+        .all = {.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2, .pNext = &f->swizzles}};
     vkGetPhysicalDeviceFeatures2(physical, &f->all);
 }
 
