@@ -172,8 +172,8 @@ static const struct rhw_format_info formats[RHW_PLAIN_FORMAT_COUNT] = {
 _Static_assert((int)RHW_PLAIN_FORMAT_COUNT + (int)RHW_BLOCK_FORMAT_COUNT == (int)RHW_FORMAT_COUNT,
                "compressed formats stand last");
 _Static_assert((int)RHW_VERTEX_FLOAT64X1 == 4 * (RHW_TYPE_SINT32 + 1), "four vertex formats of each type");
-_Static_assert((int)RHW_VERTEX_UNORM8X4_BGRA - (int)RHW_VERTEX_UNORM10_10_10_2 ==
-                   (int)RHW_TYPE_BGRA8 - (int)RHW_TYPE_UNORM10,
+_Static_assert((int)RHW_VERTEX_SINT10_10_10_2_BGRA - (int)RHW_VERTEX_UNORM10_10_10_2 ==
+                   (int)RHW_TYPE_SINT10_BGRA - (int)RHW_TYPE_UNORM10,
                "one of each that shares a word");
 _Static_assert((int)RHW_VERTEX_HALF1 == 4 * RHW_TYPE_HALF &&
                    (int)RHW_VERTEX_UNORM8X1 == 4 * RHW_TYPE_UNORM8 &&

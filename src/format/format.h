@@ -175,7 +175,13 @@ enum rhw_vertex_type {
     RHW_TYPE_SSCALED10,
     RHW_TYPE_UINT10,
     RHW_TYPE_SINT10,
-    RHW_TYPE_BGRA8
+    RHW_TYPE_BGRA8,
+    RHW_TYPE_UNORM10_BGRA,
+    RHW_TYPE_SNORM10_BGRA,
+    RHW_TYPE_USCALED10_BGRA,
+    RHW_TYPE_SSCALED10_BGRA,
+    RHW_TYPE_UINT10_BGRA,
+    RHW_TYPE_SINT10_BGRA
 };
 
 static inline bool rhw_vertex_format_valid(enum rhw_vertex_format format)
@@ -214,7 +220,8 @@ static inline bool rhw_vertex_type_is_integer(enum rhw_vertex_type type)
 {
     return type == RHW_TYPE_UINT8 || type == RHW_TYPE_SINT8 || type == RHW_TYPE_UINT16 ||
            type == RHW_TYPE_SINT16 || type == RHW_TYPE_UINT32 || type == RHW_TYPE_SINT32 ||
-           type == RHW_TYPE_UINT10 || type == RHW_TYPE_SINT10;
+           type == RHW_TYPE_UINT10 || type == RHW_TYPE_SINT10 || type == RHW_TYPE_UINT10_BGRA ||
+           type == RHW_TYPE_SINT10_BGRA;
 }
 
 // How an attribute is fetched: its format taken apart.

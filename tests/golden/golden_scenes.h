@@ -53,7 +53,7 @@ golden_draw_function
     golden_queries_draw; ///< counts, and vertices kept and drawn again; 1 or 4 samples by number
 
 // golden_vertices.c
-golden_draw_function golden_vertex_format_draw; ///< all vertex formats, odd strides and offsets
+golden_draw_function golden_vertex_format_draw; ///< vertex formats, odd strides and offsets
 golden_draw_function golden_instances_draw;     ///< per-instance attributes, first instance, ids
 
 // golden_textures.c

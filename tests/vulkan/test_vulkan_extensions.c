@@ -80,6 +80,29 @@ static void the_last_vertex_may_provoke(void **state)
     }
 }
 
+// The bytes 255, 0, 0, 255 are a red of 1008, a blue of 255 and an alpha of 3, of 1023 and of 3. OpenGL has these formats.
+static void words_have_either_order(void **state)
+{
+    (void)state;
+    const struct {
+        VkFormat format;
+        uint32_t texel;
+    } orders[2] = {{VK_FORMAT_A2R10G10B10_UNORM_PACK32, 0xfb0040ff},
+                   {VK_FORMAT_A2B10G10R10_UNORM_PACK32, 0x4000fbff}};
+    for (int i = 0; i < 2; i++) {
+        struct drawing d;
+        open_drawing(&d);
+        for (int type = 0; type < 6; type++) { // from UNORM to SINT
+            VkFormatProperties properties;
+            vkGetPhysicalDeviceFormatProperties(d.rig.physical, (VkFormat)((int)orders[i].format + type),
+                                                &properties);
+            assert_true(properties.bufferFeatures & VK_FORMAT_FEATURE_VERTEX_BUFFER_BIT);
+        }
+        d.state.attributes[1].format = orders[i].format;
+        expect_drawn(&d, whole, sizeof whole, 1, (const int[]){2, 2}, orders[i].texel);
+    }
+}
+
 static void instances_share_elements(void **state)
 {
     (void)state;
@@ -486,6 +509,7 @@ static void feedback_stays_in_its_commands(void **state)
 
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(the_last_vertex_may_provoke),
+    cmocka_unit_test(words_have_either_order),
     cmocka_unit_test(instances_share_elements),
     cmocka_unit_test(instances_share_the_first_element),
     cmocka_unit_test(depth_may_be_beyond_the_view),

@@ -70,10 +70,16 @@ static void fetch_packed(const void *const place[8], enum rhw_vertex_type type, 
         memcpy(&words[lane], place[lane], sizeof words[lane]);
     }
     const i32x8 word = i32x8_load(words);
+    const bool is_swapped = type >= RHW_TYPE_UNORM10_BGRA;
+    const enum rhw_vertex_type field =
+        is_swapped ? (enum rhw_vertex_type)(type - RHW_TYPE_UNORM10_BGRA + RHW_TYPE_UNORM10) : type;
     for (int c = 0; c < 4; c++) {
-        out[c] = type == RHW_TYPE_BGRA8
-                     ? narrow_to_lane(RHW_TYPE_UNORM8, word >> (c < 3 ? 16 - 8 * c : 24))
-                     : field_to_lane(type, c < 3 ? word << (22 - 10 * c) : word, c < 3 ? 10 : 2);
+        if (type == RHW_TYPE_BGRA8) {
+            out[c] = narrow_to_lane(RHW_TYPE_UNORM8, word >> (c < 3 ? 16 - 8 * c : 24));
+        } else {
+            const int up = c == 3 ? 0 : is_swapped ? 2 + 10 * c : 22 - 10 * c;
+            out[c] = field_to_lane(field, word << up, c < 3 ? 10 : 2);
+        }
     }
 }
 

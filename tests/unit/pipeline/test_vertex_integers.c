@@ -47,9 +47,10 @@ struct packed_format {
     {                                                                \
         RHW_VERTEX_##name##X4, meaning, 4, BYTES_OF(n), n / 2        \
     }
-#define WORD(name, meaning)                                                            \
-    {                                                                                  \
-        RHW_VERTEX_##name##10_10_10_2, meaning, 4, {0, 10, 20, 30}, {10, 10, 10, 2}, 4 \
+#define WORD(name, meaning)                                                                 \
+    {RHW_VERTEX_##name##10_10_10_2, meaning, 4, {0, 10, 20, 30}, {10, 10, 10, 2}, 4},       \
+    {                                                                                       \
+        RHW_VERTEX_##name##10_10_10_2_BGRA, meaning, 4, {20, 10, 0, 30}, {10, 10, 10, 2}, 4 \
     }
 
 static const struct packed_format formats[] = {
