@@ -74,7 +74,7 @@ enum x86_register {
 enum x86_condition { X86_ABOVE_EQUAL = 3, X86_EQUAL, X86_NOT_EQUAL, X86_BELOW_EQUAL };
 
 // Immediates of VCMPPS, which are false where an operand is no number, and signal on no quiet one.
-enum x86_predicate { X86_EQ_O = 0x00, X86_LT_O = 0x11, X86_LE_O = 0x12 };
+enum x86_predicate { X86_EQ_O = 0x00, X86_LT_O = 0x11, X86_LE_O = 0x12, X86_GE_O = 0x1d };
 
 // Immediates of VROUNDPS; 8 keeps the flag of inexact results as it is.
 enum x86_rounding { X86_ROUND_EVEN = 8, X86_ROUND_DOWN = 9, X86_ROUND_UP = 10, X86_ROUND_ZERO = 11 };

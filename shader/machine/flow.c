@@ -175,24 +175,60 @@ static void generate_branch(struct shader_generator *g, uint32_t begin, uint32_t
     g->is_dead = false;
 }
 
+// Return the structure that all lanes leave in an ELSE that holds nothing more, or SHADER_NONE.
+static uint32_t left_otherwise(const struct shader_generator *g, const struct shader_structure *structure)
+{
+    const uint32_t otherwise = structure->otherwise;
+    if (!structure->is_uniform || otherwise == SHADER_NONE || structure->end != otherwise + 2 ||
+        shader_op_at(&g->plan, otherwise + 1) != SHADER_LEAVE) {
+        return SHADER_NONE;
+    }
+    const uint32_t target = g->plan.place[g->form->nodes[g->form->code[otherwise + 1]].operands[0]];
+    return g->plan.structures[target].is_uniform ? target : SHADER_NONE;
+}
+
+// Return true for an IF that is as fast without a jump: a few instructions under its mask.
+static bool is_short_if(const struct shader_generator *g, uint32_t place)
+{
+    enum { SHORT = 6 };
+    const struct shader_structure *const structure = &g->plan.structures[place];
+    bool is_short =
+        !structure->is_uniform && structure->otherwise == SHADER_NONE && structure->end - place <= SHORT + 1;
+    for (uint32_t i = place + 1; is_short && i < structure->end; i++) {
+        const enum shader_op op = shader_op_at(&g->plan, i);
+        const uint32_t value = g->form->code[i];
+        is_short = op == SHADER_SET || op == SHADER_DISCARD || shader_is_instruction(g, value) ||
+                   (op == SHADER_LEAVE &&
+                    !g->plan.structures[g->plan.place[g->form->nodes[value].operands[0]]].is_uniform);
+    }
+    return is_short;
+}
+
 static void generate_if(struct shader_generator *g, uint32_t place)
 {
     const struct shader_structure *const structure = &g->plan.structures[place];
     const uint32_t condition = g->form->nodes[g->form->code[place]].operands[0];
-    const uint32_t before = g->mask;
-    const bool has_else = structure->otherwise != SHADER_NONE;
-    const uint32_t middle = has_else ? structure->otherwise : structure->end;
-    struct shader_edge *const otherwise = shader_new_edge(g), *const end =
-                                                                  has_else ? shader_new_edge(g) : otherwise;
+    const uint32_t before = g->mask, left = left_otherwise(g, structure);
+    const bool has_else = structure->otherwise != SHADER_NONE && left == SHADER_NONE;
+    const uint32_t middle = structure->otherwise != SHADER_NONE ? structure->otherwise : structure->end;
+    struct shader_edge *const otherwise = left != SHADER_NONE ? g->ends[left] : shader_new_edge(g);
+    struct shader_edge *const end = has_else ? shader_new_edge(g) : otherwise;
     uint32_t inside = before;
+    const bool is_short = is_short_if(g, place);
     if (structure->is_uniform) {
         shader_test_alike(g, condition);
     } else {
         inside = and_mask(g, before, condition, false);
-        test_mask(g, inside);
+        g->values[inside].end = has_else ? UINT32_MAX : middle - 1;
         g->divergence++;
     }
-    shader_edge_jump_if(g, X86_EQUAL, otherwise, middle);
+    if (!structure->is_uniform && !is_short) {
+        test_mask(g, inside);
+    }
+    if (!is_short) {
+        shader_edge_jump_if(g, X86_EQUAL, otherwise,
+                            left != SHADER_NONE ? g->plan.structures[left].end : middle);
+    }
     shader_end_place(g);
     generate_branch(g, place + 1, middle, inside);
     g->place = middle;
@@ -212,7 +248,9 @@ static void generate_if(struct shader_generator *g, uint32_t place)
         shader_drop_value(g, outside);
     }
     g->place = structure->end;
-    come_together(g, end, structure->end);
+    if (left == SHADER_NONE && !is_short) {
+        come_together(g, end, structure->end);
+    }
     if (!structure->is_uniform) {
         g->divergence--;
         shader_drop_value(g, inside);
@@ -282,7 +320,7 @@ void shader_generate_giving_up(struct shader_generator *g, const struct shader_e
     const size_t bindings = is_compute                       ? offsetof(struct rhw_workgroup, bindings)
                             : g->kind == RHW_SHADER_FRAGMENT ? offsetof(struct rhw_fragment, bindings)
                                                              : offsetof(struct rhw_vertex, bindings);
-    const uint32_t go_on = shader_label_new(&g->code);
+    const uint32_t go_on = edge ? edge->label : shader_label_new(&g->code);
     shader_encode(&g->code, X86_SUB_I, 0, 0, SHADER_FRAME(rounds), 1);
     shader_encode_jump_if(&g->code, X86_NOT_EQUAL, go_on);
     shader_encode(&g->code, X86_MOV_I, 0, 0, SHADER_FRAME(rounds), SHADER_ROUNDS_A_QUESTION);
@@ -296,9 +334,10 @@ void shader_generate_giving_up(struct shader_generator *g, const struct shader_e
         }
     }
     if (edge) {
-        shader_encode_jump(&g->code, edge->label);
+        shader_encode_jump(&g->code, go_on);
+    } else {
+        shader_label_place(&g->code, go_on);
     }
-    shader_label_place(&g->code, go_on);
 }
 
 // A round begins with the lanes that came to the end of the one before.
@@ -329,8 +368,8 @@ static void generate_loop(struct shader_generator *g, uint32_t place)
             shader_edge_jump_if(g, X86_EQUAL, g->ends[place], end);
         }
         shader_flush(g, end);
-        shader_generate_giving_up(g, again);
         shader_loop_again(g, again);
+        shader_generate_giving_up(g, again);
         g->is_gone = true;
     }
     take_mask(g, round);

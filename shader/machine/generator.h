@@ -165,7 +165,7 @@ void shader_edge_jump_if(struct shader_generator *g, enum x86_condition conditio
                          uint32_t place);
 // Code goes on here from all that jump to the edge, and from before unless that is dead.
 void shader_edge_place(struct shader_generator *g, struct shader_edge *edge, uint32_t place, bool is_dead);
-// A loop begins or goes back to its begin. It ends at a place.
+// A loop begins, or goes back to its begin by a jump that follows. It ends at a place.
 void shader_loop_begin(struct shader_generator *g, struct shader_edge *edge, uint32_t end);
 void shader_loop_again(struct shader_generator *g, struct shader_edge *edge);
 
@@ -179,6 +179,8 @@ static inline void shader_put(struct shader_generator *g, unsigned instruction, 
 
 // Write arithmetic. Return false where the node is something else.
 bool shader_select_arithmetic(struct shader_generator *g, uint32_t value);
+// Return true for arithmetic that is one fast instruction.
+bool shader_is_instruction(const struct shader_generator *g, uint32_t value);
 
 // Load the words at rax + 4 × index, of lanes that are in a mask, which is lost. Others get 0.
 static inline void shader_put_gather(struct shader_generator *g, int result, int index, int mask)

@@ -367,14 +367,25 @@ void shader_edge_place(struct shader_generator *g, struct shader_edge *edge, uin
     hold(g, edge->holds, place);
 }
 
+// Return true for a place in an IF of the loop that begins here to which not every round comes.
+static bool is_seldom(const struct shader_generator *g, uint32_t place)
+{
+    for (uint32_t i = g->place + 1; i < place; i++) {
+        const struct shader_structure *const structure = &g->plan.structures[i];
+        if (shader_op_at(&g->plan, i) == SHADER_IF && !structure->is_uniform && structure->end > place) {
+            return true;
+        }
+    }
+    return false;
+}
+
 void shader_loop_begin(struct shader_generator *g, struct shader_edge *edge, uint32_t end)
 {
     shader_flush(g, g->place);
     for (int r = 0; r < REGISTERS; r++) {
         const uint32_t value = g->holds[r];
-        edge->holds[r] = value != SHADER_NONE && next_use(g, value, 0) <= end && lives_at(g, value, end)
-                             ? value
-                             : SHADER_NONE;
+        const uint32_t use = value != SHADER_NONE ? next_use(g, value, 0) : UINT32_MAX;
+        edge->holds[r] = use <= end && lives_at(g, value, end) && !is_seldom(g, use) ? value : SHADER_NONE;
     }
     edge->is_used = true;
     hold(g, edge->holds, g->place);
@@ -389,5 +400,4 @@ void shader_loop_again(struct shader_generator *g, struct shader_edge *edge)
             shader_put(g, X86_VMOVUPS, r, 0, shader_home_of(g, value));
         }
     }
-    shader_encode_jump(&g->code, edge->label);
 }

@@ -148,8 +148,7 @@ static void put_int_from_float(struct shader_generator *g, uint32_t value)
     shader_put(g, X86_VCVTTPS2DQ, whole, 0, x86_reg(a));
     shader_encode(&g->code, X86_VCMPPS, mask, a, x86_reg(a), X86_EQ_O);
     shader_put(g, X86_VANDPS, whole, whole, x86_reg(mask));
-    shader_put(g, X86_VBROADCASTSS, mask, 0, shader_pool_scalar(&g->code, 0x4f000000)); // 2^31
-    shader_encode(&g->code, X86_VCMPPS, mask, mask, x86_reg(a), X86_LE_O);
+    shader_encode(&g->code, X86_VCMPPS, mask, a, shader_pool_splat(&g->code, 0x4f000000), X86_GE_O); // 2^31
     shader_end_operands(g);
     shader_put(g, X86_VXORPS, shader_result(g, value), whole, x86_reg(mask));
 }
@@ -248,6 +247,13 @@ static bool select_subgroup(struct shader_generator *g, uint32_t value)
     call.vectors[call.vector_count++] = g->mask;
     shader_invoke(g, &call);
     return true;
+}
+
+bool shader_is_instruction(const struct shader_generator *g, uint32_t value)
+{
+    const uint16_t op = g->form->nodes[value].op;
+    const bool is_slow = op == SHADER_FDIV || op == SHADER_FSQRT;
+    return (notations[op].operands != NOT_ONE && !is_slow) || op == SHADER_SELECT || op == SHADER_COPY;
 }
 
 bool shader_select_arithmetic(struct shader_generator *g, uint32_t value)
