@@ -205,12 +205,6 @@ static rhw_int call_LOAD_WORDS(const struct shader_found *found, rhw_int index, 
     return rhw_spirv_load(words, index, mask);
 }
 
-static rhw_int call_GATHER(const struct shader_found *found, rhw_int index)
-{
-    const struct rhw_spirv_words words = {found->words, (uint32_t)found->count};
-    return rhw_spirv_gather(words, index);
-}
-
 static void call_STORE(const struct rhw_shader_frame *frame, const struct shader_site *site,
                        const struct shader_found *one, rhw_int element, rhw_int index, rhw_int value,
                        rhw_int mask)
@@ -460,9 +454,9 @@ static shader_call_function *const functions[SHADER_CALLS] = {
     MORE(FIND_PAIR),       MORE(SAMPLE_ONE),
     MORE(COMPARE_WINDOW),  MORE(FIND_PLANE),
     MORE(FETCH_PLANE),     MORE(LIST),
-    MORE(SAMPLE_GROUPS),   MORE(GATHER),
-    MORE(LOAD_WORDS),      MORE(SHARE),
-    MORE(OWN_STORE),       MORE(GIVEN_UP),
+    MORE(SAMPLE_GROUPS),   MORE(LOAD_WORDS),
+    MORE(SHARE),           MORE(OWN_STORE),
+    MORE(GIVEN_UP),
 };
 #undef ENTRY
 #undef MORE

@@ -31,7 +31,6 @@ struct shader_machine_frame {
     uint32_t batch;  // as many groups go through the code together at most
     uint32_t left;   // groups of a run that are left
     uint32_t rounds; // rounds of loops until the next question
-    uint32_t number; // what a call receives
     rhw_int any;     // lanes that a loop over groups found
     struct shader_request request;
 };
@@ -217,6 +216,9 @@ struct shader_invocation {
 };
 
 void shader_invoke(struct shader_generator *g, const struct shader_invocation *invocation);
+// Call a function that takes no vectors and returns none.
+void shader_invoke_plain(struct shader_generator *g, unsigned which, int argument_count,
+                         const struct shader_argument *arguments);
 // Call where code seldom comes: `reg` receives the result, and other registers stay as they are.
 void shader_invoke_aside(struct shader_generator *g, const struct shader_invocation *invocation, int reg);
 struct shader_argument shader_number_argument(uint64_t number);

@@ -70,14 +70,11 @@ void shader_list_group_samples(struct shader_generator *g)
         struct shader_node *const node = &g->form->nodes[g->samples[i].value];
         uint32_t count;
         const uint32_t *const operands = shader_operands(g->form, node, &count);
-        const struct shader_invocation call = {
-            .which = SHADER_CALL_LIST,
-            .argument_count = 2,
-            .arguments = {shader_one_image(g, shader_resource_of(g, operands[SHADER_IMAGE_TEXTURE]),
-                                           shader_sampler_of(g, node, operands)),
-                          shader_address_argument(entry_of(g, i))},
-            .result = SHADER_NONE};
-        shader_invoke(g, &call);
+        const uint32_t texture = shader_resource_of(g, operands[SHADER_IMAGE_TEXTURE]);
+        shader_invoke_plain(
+            g, SHADER_CALL_LIST, 2,
+            (struct shader_argument[]){shader_one_image(g, texture, shader_sampler_of(g, node, operands)),
+                                       shader_address_argument(entry_of(g, i))});
     }
 }
 
@@ -90,13 +87,10 @@ void shader_sample_groups(struct shader_generator *g)
             which |= g->samples[i].at == at ? 1u << i : 0;
         }
         left &= ~which;
-        const struct shader_invocation call = {.which = SHADER_CALL_SAMPLE_GROUPS,
-                                               .argument_count = 4,
-                                               .arguments = {shader_address_argument(SHADER_FRAME(together)),
-                                                             shader_address_argument(entry_of(g, 0)),
-                                                             shader_number_argument(which),
-                                                             shader_number_argument(at)},
-                                               .result = SHADER_NONE};
-        shader_invoke(g, &call);
+        shader_invoke_plain(g, SHADER_CALL_SAMPLE_GROUPS, 4,
+                            (struct shader_argument[]){shader_address_argument(SHADER_FRAME(together)),
+                                                       shader_address_argument(entry_of(g, 0)),
+                                                       shader_number_argument(which),
+                                                       shader_number_argument(at)});
     }
 }

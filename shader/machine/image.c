@@ -43,13 +43,10 @@ static struct shader_argument add_pair(struct shader_generator *g, uint32_t text
 
 static void put_together(struct shader_generator *g, uint32_t texture, uint32_t sampler)
 {
-    const struct shader_invocation call = {
-        .which = SHADER_CALL_FIND_PAIR,
-        .argument_count = 3,
-        .arguments = {shader_found_argument(g, texture), shader_found_argument(g, sampler),
-                      add_pair(g, texture, sampler, sizeof(struct shader_found_pair))},
-        .result = SHADER_NONE};
-    shader_invoke(g, &call);
+    shader_invoke_plain(
+        g, SHADER_CALL_FIND_PAIR, 3,
+        (struct shader_argument[]){shader_found_argument(g, texture), shader_found_argument(g, sampler),
+                                   add_pair(g, texture, sampler, sizeof(struct shader_found_pair))});
 }
 
 // Return true for a fetch from level 0 of which nothing but the first component is read, by the part behind it.
@@ -73,13 +70,10 @@ static void find_plane(struct shader_generator *g, uint32_t texture)
     if (find_pair(g, texture, SHADER_NONE)) {
         return;
     }
-    const struct shader_invocation call = {
-        .which = SHADER_CALL_FIND_PLANE,
-        .argument_count = 2,
-        .arguments = {shader_found_argument(g, texture),
-                      add_pair(g, texture, SHADER_NONE, sizeof(struct shader_found_plane))},
-        .result = SHADER_NONE};
-    shader_invoke(g, &call);
+    shader_invoke_plain(
+        g, SHADER_CALL_FIND_PLANE, 2,
+        (struct shader_argument[]){shader_found_argument(g, texture),
+                                   add_pair(g, texture, SHADER_NONE, sizeof(struct shader_found_plane))});
 }
 
 void shader_pair_once(struct shader_generator *g)
@@ -108,12 +102,16 @@ void shader_pair_once(struct shader_generator *g)
 
 // Requests -------------------------------------------------------------------------------------------
 
+static void put_in_request(struct shader_generator *g, int reg, size_t offset)
+{
+    const size_t request = offsetof(struct shader_machine_frame, request);
+    shader_put(g, X86_VMOVUPS_STORE, reg, 0, x86_at(X86_RSP, (int32_t)(request + offset)));
+    shader_unlock(g);
+}
+
 static void put_operand(struct shader_generator *g, uint32_t value, size_t offset)
 {
-    const int reg = shader_in_register(g, value);
-    shader_put(g, X86_VMOVUPS_STORE, reg, 0,
-               x86_at(X86_RSP, (int32_t)(offsetof(struct shader_machine_frame, request) + offset)));
-    shader_unlock(g);
+    put_in_request(g, shader_in_register(g, value), offset);
 }
 
 // Store operands behind one another, and zeros behind them.
@@ -126,10 +124,7 @@ static void put_operands(struct shader_generator *g, const uint32_t *values, uin
     for (uint32_t i = count; i < all; i++) {
         const int zero = shader_temporary(g);
         shader_put(g, X86_VXORPS, zero, zero, x86_reg(zero));
-        shader_put(
-            g, X86_VMOVUPS_STORE, zero, 0,
-            x86_at(X86_RSP, (int32_t)(offsetof(struct shader_machine_frame, request) + offset + VECTOR * i)));
-        shader_unlock(g);
+        put_in_request(g, zero, offset + VECTOR * i);
     }
 }
 
@@ -313,15 +308,13 @@ static bool select_window(struct shader_generator *g, uint32_t value)
     memcpy(&operands[SHADER_IMAGE_OFFSET], window.corner, sizeof window.corner);
     put_request(g, operands, node->immediate);
     const uint32_t parts = shader_take_frame(g, (uint32_t)(columns * rows) * VECTOR);
-    const struct shader_invocation call = {
-        .which = SHADER_CALL_COMPARE_WINDOW,
-        .argument_count = 6,
-        .arguments = {shader_one_image(g, texture, sampler), shader_address_argument(SHADER_FRAME(request)),
-                      shader_number_argument(node->immediate), shader_number_argument((uint64_t)columns),
-                      shader_number_argument((uint64_t)rows),
-                      shader_address_argument(x86_at(X86_RSP, (int32_t)parts))},
-        .result = SHADER_NONE};
-    shader_invoke(g, &call);
+    shader_invoke_plain(g, SHADER_CALL_COMPARE_WINDOW, 6,
+                        (struct shader_argument[]){shader_one_image(g, texture, sampler),
+                                                   shader_address_argument(SHADER_FRAME(request)),
+                                                   shader_number_argument(node->immediate),
+                                                   shader_number_argument((uint64_t)columns),
+                                                   shader_number_argument((uint64_t)rows),
+                                                   shader_address_argument(x86_at(X86_RSP, (int32_t)parts))});
     for (uint32_t i = first; i < end; i++) {
         if (is_in_window(g, i, first)) {
             uint32_t constant;
@@ -403,12 +396,9 @@ static void place_part(struct shader_generator *g, uint32_t value)
 static void ask_for_gradient(struct shader_generator *g, uint32_t value)
 {
     const struct shader_node *const node = &g->form->nodes[value];
-    const struct shader_invocation call = {.which = SHADER_NEEDS_GRADIENT,
-                                           .argument_count = 2,
-                                           .arguments = {shader_found_argument(g, node->operands[0]),
-                                                         shader_found_argument(g, node->operands[1])},
-                                           .result = SHADER_NONE};
-    shader_invoke(g, &call);
+    shader_invoke_plain(g, SHADER_NEEDS_GRADIENT, 2,
+                        (struct shader_argument[]){shader_found_argument(g, node->operands[0]),
+                                                   shader_found_argument(g, node->operands[1])});
     shader_spread(g, value);
 }
 

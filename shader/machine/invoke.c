@@ -144,3 +144,12 @@ void shader_invoke(struct shader_generator *g, const struct shader_invocation *i
         g->locked |= 1;
     }
 }
+
+void shader_invoke_plain(struct shader_generator *g, unsigned which, int argument_count,
+                         const struct shader_argument *arguments)
+{
+    struct shader_invocation invocation = {
+        .which = which, .argument_count = argument_count, .result = SHADER_NONE};
+    memcpy(invocation.arguments, arguments, (size_t)argument_count * sizeof *arguments);
+    shader_invoke(g, &invocation);
+}

@@ -74,13 +74,10 @@ static void find_binding(struct shader_generator *g, uint32_t value)
     const struct shader_argument element =
         is_number ? shader_number_argument(g->form->nodes[node->operands[0]].immediate)
                   : (struct shader_argument){SHADER_BY_WORD, 0, shader_home_of(g, node->operands[0])};
-    const struct shader_invocation call = {
-        .which = SHADER_CALL_FIND_WORDS,
-        .argument_count = 4,
-        .arguments = {shader_bound_argument(), shader_site_argument(g, value, SHADER_NONE, is_words, 0),
-                      element, shader_found_argument(g, value)},
-        .result = SHADER_NONE};
-    shader_invoke(g, &call);
+    shader_invoke_plain(g, SHADER_CALL_FIND_WORDS, 4,
+                        (struct shader_argument[]){shader_bound_argument(),
+                                                   shader_site_argument(g, value, SHADER_NONE, is_words, 0),
+                                                   element, shader_found_argument(g, value)});
 }
 
 // The memory of a workgroup is a binding and words too.
@@ -89,13 +86,11 @@ static void find_shared(struct shader_generator *g, uint32_t value)
     struct shader_machine_value *const v = &g->values[value];
     v->home = SHADER_IN_FRAME;
     v->offset = shader_take_frame(g, sizeof(struct shader_found_pair));
-    const struct shader_invocation call = {
-        .which = SHADER_CALL_FIND_SHARED,
-        .argument_count = 3,
-        .arguments = {shader_pointer_argument(x86_at(X86_R14, offsetof(struct rhw_workgroup, shared))),
-                      shader_number_argument(g->form->workgroup_size), shader_found_argument(g, value)},
-        .result = SHADER_NONE};
-    shader_invoke(g, &call);
+    shader_invoke_plain(g, SHADER_CALL_FIND_SHARED, 3,
+                        (struct shader_argument[]){
+                            shader_pointer_argument(x86_at(X86_R14, offsetof(struct rhw_workgroup, shared))),
+                            shader_number_argument(g->form->workgroup_size),
+                            shader_found_argument(g, value)});
 }
 
 // Words that all lanes name --------------------------------------------------------------------------
@@ -125,19 +120,13 @@ void shader_spread(struct shader_generator *g, uint32_t value)
 static void load_push_word(struct shader_generator *g, uint32_t value)
 {
     const struct shader_node *const node = &g->form->nodes[value];
-    uint32_t index;
-    if (!shader_put_index(g, node->operands[1], node->immediate, &index)) {
-        shader_put(g, X86_MOV_STORE, X86_RAX, 0, SHADER_FRAME(number));
-    }
-    const bool is_known = g->form->nodes[node->operands[1]].op == SHADER_CONSTANT;
-    const struct shader_invocation call = {
-        .which = SHADER_CALL_PUSH_WORD,
-        .argument_count = 2,
-        .arguments = {shader_bound_argument(),
-                      is_known ? shader_number_argument(index)
-                               : (struct shader_argument){SHADER_BY_WORD, 0, SHADER_FRAME(number)}},
-        .result = SHADER_NONE};
-    shader_invoke(g, &call);
+    uint32_t index = 0;
+    const bool is_known = shader_put_index(g, node->operands[1], node->immediate, &index);
+    shader_invoke_plain(
+        g, SHADER_CALL_PUSH_WORD, 2,
+        (struct shader_argument[]){shader_bound_argument(),
+                                   is_known ? shader_number_argument(index)
+                                            : (struct shader_argument){SHADER_BY_WORD, 0, x86_reg(X86_RAX)}});
     shader_spread(g, value);
 }
 
@@ -244,14 +233,6 @@ uint32_t shader_index_of(struct shader_generator *g, uint32_t offset, uint32_t m
     return index;
 }
 
-static bool is_written(const struct shader_generator *g, uint32_t buffer)
-{
-    const struct shader_node *const node = shader_resource_node(g->form, buffer);
-    return node->op == SHADER_BUFFER && g->plan.has_effects &&
-           (g->form->resources[node->immediate].variable->storage == SPIRV_STORAGE_BUFFER ||
-            g->form->resources[node->immediate].type->is_buffer_block);
-}
-
 static void load_lanes(struct shader_generator *g, uint32_t value, uint32_t buffer)
 {
     const struct shader_node *const node = &g->form->nodes[value];
@@ -262,12 +243,10 @@ static void load_lanes(struct shader_generator *g, uint32_t value, uint32_t buff
         call.arguments[call.argument_count++] = shader_bound_argument();
         call.vectors[call.vector_count++] = index;
     } else if (shader_is_one(g, buffer)) {
-        const bool has_mask = is_written(g, buffer);
-        call.which = has_mask ? SHADER_CALL_LOAD_WORDS : SHADER_CALL_GATHER;
+        call.which = SHADER_CALL_LOAD_WORDS;
         call.arguments[call.argument_count++] = shader_found_argument(g, buffer);
         call.vectors[call.vector_count++] = index;
-        call.vectors[1] = g->mask;
-        call.vector_count += has_mask ? 1 : 0;
+        call.vectors[call.vector_count++] = g->mask;
     } else {
         call.which = SHADER_LOAD;
         call.argument_count = 3;
