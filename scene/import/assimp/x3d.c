@@ -114,6 +114,39 @@ static bool write_metadata(struct scene_import *import, struct scene_edits *edit
     return true;
 }
 
+// Return true if an element that begins with a tag has another one within it.
+static bool holds(const char *tag, char *close, const char *end, const char *name)
+{
+    const size_t length = strcspn(tag + 1, " \t\r\n/>");
+    while (close != NULL && close[-1] != '/') {
+        char *const next = strchr(close, '<');
+        if (next == NULL || (next[1] == '/' && strncmp(next + 2, tag + 1, length) == 0)) {
+            return false;
+        }
+        if (scene_collada_is_tag(next, name)) {
+            return true;
+        }
+        close = scene_collada_markup_end(next, end);
+        if (close != NULL && close[-1] == '/') {
+            close++; // the end of an element within, not of this one
+        }
+    }
+    return false;
+}
+
+// Tell of an angle up to which a surface without normals is to be smooth, as assimp does not say it.
+static void tell_crease_angle(struct scene_import *import, char *tag, char *close, const char *end)
+{
+    static const char *const surfaces[] = {"IndexedFaceSet", "ElevationGrid", "Extrusion"};
+    for (size_t i = 0; i < sizeof surfaces / sizeof surfaces[0]; i++) {
+        if (scene_collada_is_tag(tag, surfaces[i]) &&
+            scene_collada_attribute(tag, close, "creaseAngle").text != NULL &&
+            !holds(tag, close, end, "Normal")) {
+            scene_import_unsupported(import, "crease angles (X3D): not used");
+        }
+    }
+}
+
 static char *write_tags(struct scene_import *import, char *source, size_t *size)
 {
     char *const text = scene_assimp_repeat_groups(import, source, size);
@@ -131,6 +164,7 @@ static char *write_tags(struct scene_import *import, char *source, size_t *size)
                    !scene_assimp_write_quads(import, &edits, &quads, text, tag, close, text + *size) &&
                    !scene_assimp_write_group(import, &edits, text, tag, close)) {
             write_address(import, &edits, text, tag, close);
+            tell_crease_angle(import, tag, close, text + *size);
         }
     }
     scene_assimp_free_quads(&quads);

@@ -82,6 +82,16 @@ static void test_nodes(void **state)
         {"<Group DEF='b'>" SHAPE("") "<Group USE='b'/></Group>", 2, used},
         {"<Group USE='b'/><Group DEF='b'>" SHAPE("") "</Group>", 2, used},
         {"<Group DEF='b'>" SHAPE("") "</Group><Group USE='c'/>", 2, used},
+        {"<Shape><IndexedFaceSet creaseAngle='0.5' coordIndex='0 1 2 -1'><Coordinate point='0 0 0 1 0 0 0 1 "
+         "0'/>"
+         "</IndexedFaceSet></Shape><Shape><IndexedFaceSet coordIndex='0 1 2 -1'><Normal vector='0 0 1 0 0 1 "
+         "0 0 1'/>"
+         "<Coordinate point='0 0 0 1 0 0 0 1 0'/></IndexedFaceSet></Shape>",
+         3, "crease angles (X3D): not used"},
+        {"<Shape><IndexedFaceSet creaseAngle='0.5' coordIndex='0 1 2 -1'><Coordinate point='0 0 0 1 0 0 0 1 "
+         "0'/>"
+         "<Normal vector='0 0 1 0 0 1 0 0 1'/></IndexedFaceSet></Shape>",
+         2, NULL},
         {"<MetadataSet><MetadataString containerField='value' value='\"b\"'/></MetadataSet>"
          "<Group><MetadataString value='\"b\"'/></Group><Switch><MetadataFloat "
          "value='1'></MetadataFloat></Switch>",
@@ -161,6 +171,8 @@ static void test_quads(void **state)
         {"<QuadSet><Coordinate USE='c'/></QuadSet>", 0, true},
         {"<QuadSet/></Shape><Shape><IndexedFaceSet coordIndex='0 1 2 -1'>" QUADS "</IndexedFaceSet>", 1,
          true},
+        {"<QuadSet></QuadSet></Shape><Shape><IndexedFaceSet coordIndex='0 1 2 -1'>" QUADS "</IndexedFaceSet>",
+         1, true},
         {"<IndexedQuadSet index='0 1 2'>" QUADS "</IndexedQuadSet>", 0, true},
         {"<IndexedQuadSet>" QUADS "</IndexedQuadSet>", 0, true},
     };
