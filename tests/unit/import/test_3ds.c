@@ -327,8 +327,9 @@ static void test_smoothing(void **state)
         bool is_smooth;
         uint32_t groups[2];
     } cases[] = {
-        {0.5f, 0, true, {0}},     {3, 0, false, {0}},   {0.5f, 2, false, {0, 0}}, {0.5f, 2, false, {2, 0}},
-        {0.5f, 2, false, {0, 1}}, {3, 2, true, {3, 6}}, {0.5f, 2, false, {1, 2}}, {0.5f, 1, true, {1}},
+        {0.5f, 0, true, {0}},     {3, 0, false, {0}},       {0.5f, 2, false, {0, 0}},
+        {0.5f, 2, false, {2, 0}}, {0.5f, 2, false, {0, 1}}, {3, 2, true, {3, 6}},
+        {0.5f, 2, false, {1, 2}}, {0.5f, 1, true, {1}},     {3, 1, false, {1}},
     };
     enum { CASES = sizeof cases / sizeof cases[0] };
     static const unsigned zeros[] = {0, 2, 5, 6, 13};
@@ -351,6 +352,87 @@ static void test_smoothing(void **state)
         }
         scene_model_free(model);
     }
+}
+
+// Put a mesh without groups, of `count` points and some faces.
+static void put_faces(struct chunks *chunks, const float (*points)[3], unsigned count,
+                      const unsigned (*faces)[3], unsigned face_count)
+{
+    const size_t object = begin(chunks, 0x4000);
+    put(chunks, "o", 2);
+    const size_t mesh = begin(chunks, 0x4100), vertices = begin(chunks, 0x4110);
+    put_short(chunks, count);
+    put(chunks, points, count * sizeof points[0]);
+    end(chunks, vertices);
+    const size_t list = begin(chunks, 0x4120);
+    put_short(chunks, face_count);
+    for (unsigned i = 0; i < 4 * face_count; i++) {
+        put_short(chunks, i % 4 == 3 ? 7 : faces[i / 4][i % 4]);
+    }
+    end(chunks, list);
+    end(chunks, mesh);
+    end(chunks, object);
+}
+
+// Faces that meet at a point and at no edge are parts of their own, each with its normal there. Those of a part need not
+// follow each other.
+static void test_parts_without_groups(void **state)
+{
+    (void)state;
+    static const float tie[][3] = {{0, 0, 0}, {1, 1, 0.3f}, {1, -1, 0.3f}, {-1, -1, 0.3f}, {-1, 1, 0.3f}};
+    static const float folds[][3] = {{0, 0, 0}, {1, 0, 0},  {0, 1, 0}, {1, -1, -0.5f},
+                                     {9, 0, 0}, {10, 0, 0}, {9, 1, 0}, {10, -1, -0.5f}};
+    static const unsigned tied[][3] = {{0, 2, 1}, {0, 4, 3}},
+                          folded[][3] = {{0, 1, 2}, {4, 5, 6}, {1, 0, 3}, {5, 4, 7}};
+    for (int i = 0; i < 2; i++) {
+        struct chunks chunks = {.size = 0};
+        const size_t file = begin(&chunks, 0x4d4d), editor = begin(&chunks, 0x3d3d);
+        if (i == 0) {
+            put_faces(&chunks, tie, 5, tied, 2);
+        } else {
+            put_faces(&chunks, folds, 8, folded, 4);
+        }
+        end(&chunks, editor);
+        end(&chunks, file);
+        write_bytes("p.3ds", chunks.bytes, chunks.size);
+        struct scene_model *const model = load("p.3ds");
+        assert_int_equal(model->meshes[0].vertex_count, i == 0 ? 6 : 8);
+        scene_model_free(model);
+    }
+}
+
+// A camera looks at its target. Its axes have length 1 and stand upright on each other.
+static void test_camera(void **state)
+{
+    (void)state;
+    static const float numbers[8] = {3, 4,  12, 1,
+                                     2, 10, 20, 50}; // where it is, what it looks at, its roll and its lens
+    struct chunks chunks = {.size = 0};
+    const size_t file = begin(&chunks, 0x4d4d), editor = begin(&chunks, 0x3d3d);
+    put_triangle(&chunks, 0);
+    const size_t object = begin(&chunks, 0x4000);
+    put(&chunks, "c", 2);
+    const size_t camera = begin(&chunks, 0x4700);
+    put(&chunks, numbers, sizeof numbers);
+    end(&chunks, camera);
+    end(&chunks, object);
+    end(&chunks, editor);
+    end(&chunks, file);
+    write_bytes("c.3ds", chunks.bytes, chunks.size);
+    struct scene_model *const model = load("c.3ds");
+    assert_int_equal(model->camera_count, 1);
+    const float *const world = model->cameras[0].world;
+    const float back = 0.577350269f; // in x, y and z, which is up in the file and turned to y
+    assert_floats(world + 8, (const float[]){back, back, -back}, 3, 1e-6f);
+    assert_floats(world + 12, (const float[]){3, 12, -4}, 3, 1e-5f);
+    for (int i = 0; i < 9; i++) {
+        const float *const a = world + 4 * (i / 3), *const b = world + 4 * (i % 3);
+        const float product = a[0] * b[0] + a[1] * b[1] + a[2] * b[2], one = i / 3 == i % 3;
+        assert_floats(&product, &one, 1, 1e-5f);
+    }
+    const float right = world[5] * world[10] - world[6] * world[9];
+    assert_floats(&right, world, 1, 1e-5f);
+    scene_model_free(model);
 }
 
 // There are 32 groups. Of more faces around a point some share one, which are far from each other.
@@ -394,8 +476,9 @@ static void test_many_flat_faces(void **state)
 // End a chunk, or the file where `place` is SIZE_MAX, behind zeros if it is the one whose turn it is. Count on.
 static void end_filled(struct chunks *chunks, size_t place, unsigned zeros, int *turn)
 {
+    static const char zero[300];
     if ((*turn)-- == 0) {
-        put(chunks, (const char[16]){0}, zeros);
+        put(chunks, zero, zeros);
     }
     if (place != SIZE_MAX) {
         end(chunks, place);
@@ -409,7 +492,7 @@ static void test_zeros(void **state)
     static const float points[3][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
     enum { TURNS = 9, MOST = 14 };
     for (int i = 0; i < TURNS * MOST; i++) {
-        const unsigned zeros = (unsigned)i % MOST;
+        const unsigned zeros = i % MOST == MOST - 1 ? 300 : (unsigned)i % MOST;
         int turn = i / MOST;
         struct chunks chunks = {.size = 0};
         const size_t file = begin(&chunks, 0x4d4d), editor = begin(&chunks, 0x3d3d);
@@ -455,7 +538,8 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_lost_places),     cmocka_unit_test(test_smoothing),
     cmocka_unit_test(test_many_flat_faces), cmocka_unit_test(test_told),
     cmocka_unit_test(test_wires),           cmocka_unit_test(test_decal),
-    cmocka_unit_test(test_zeros),
+    cmocka_unit_test(test_zeros),           cmocka_unit_test(test_parts_without_groups),
+    cmocka_unit_test(test_camera),
 };
 
 const struct unit_tests test_3ds = UNIT_TESTS(tests, make_directory, remove_directory);

@@ -503,6 +503,79 @@ static void test_relief(void **state)
     }
 }
 
+#define PLACE                                                                                            \
+    "<matrix>0.666666667 -0.666666667 0.333333333 3 0.333333333 0.666666667 0.666666667 4 -0.666666667 " \
+    "-0.333333333 0.666666667 12 0 0 0 1</matrix>"
+
+// Lights and cameras stand and look as their nodes do, which are turned about all axes. A colour is no brighter than 1, and
+// what is left of a light at the middle of the triangle is what its strength is worth.
+static void test_turned_nodes(void **state)
+{
+    (void)state;
+    static const float forward[3] = {-1.0f / 3, -2.0f / 3, -2.0f / 3}, place[3] = {3, 4, 12};
+    static const char point[] = "<point><color>2 1 0.5</color><constant_attenuation>1</constant_attenuation>"
+                                "<linear_attenuation>0.5</linear_attenuation><quadratic_attenuation>0.25"
+                                "</quadratic_attenuation></point>";
+    static const char spot[] = "<spot><color>0.5 0.25 0</color><falloff_angle>40</falloff_angle></spot>";
+    static const char sun[] = "<directional><color>0.25 1 0.5</color></directional>";
+    const char *const kinds[] = {point, spot, sun};
+    const double square = 2.5 * 2.5 + 3.5 * 3.5 + 12 * 12, pi = 3.14159265358979323846;
+    const double strengths[] = {pi * square / (1 + 0.5 * sqrt(square) + 0.25 * square), pi * square, pi};
+    for (int i = 0; i < 3; i++) {
+        write_format(
+            "l.dae",
+            "<COLLADA version=\"1.4.1\"><asset><up_axis>Y_UP</up_axis></asset><library_cameras><camera "
+            "id=\"c\">"
+            "<optics><technique_common><perspective><xfov>40</xfov><aspect_ratio>2</aspect_ratio><znear>1</"
+            "znear>"
+            "<zfar>50</zfar></perspective></technique_common></optics></camera></"
+            "library_cameras><library_lights>"
+            "<light "
+            "id=\"l\"><technique_common>%s</technique_common></light></library_lights><library_geometries>"
+            "<geometry id=\"g\"><mesh><source id=\"p\"><float_array id=\"pa\" count=\"9\">0 0 0 1 0 0 0 1 0"
+            "</float_array><technique_common><accessor source=\"#pa\" count=\"3\" stride=\"3\"><param "
+            "name=\"X\" "
+            "type=\"float\"/><param name=\"Y\" type=\"float\"/><param name=\"Z\" type=\"float\"/></accessor>"
+            "</technique_common></source><vertices id=\"v\"><input semantic=\"POSITION\" "
+            "source=\"#p\"/></vertices>"
+            "<triangles count=\"1\"><input semantic=\"VERTEX\" source=\"#v\" offset=\"0\"/><p>0 1 "
+            "2</p></triangles>"
+            "</mesh></geometry></library_geometries>%s",
+            kinds[i],
+            "<library_visual_scenes><visual_scene id=\"s\"><node><instance_geometry "
+            "url=\"#g\"/></node><node>" PLACE "<instance_light url=\"#l\"/></node><node>" PLACE
+            "<instance_camera url=\"#c\"/></node></visual_scene>"
+            "</library_visual_scenes><scene><instance_visual_scene url=\"#s\"/></scene></COLLADA>");
+        struct scene_model *const model = load("l.dae");
+        assert_int_equal(model->light_count, 1);
+        const struct scene_model_light *const light = &model->lights[0];
+        const float share = i == 0 ? 0.5f : 1;
+        const float colors[3][3] = {{2, 1, 0.5f}, {0.5f, 0.25f, 0}, {0.25f, 1, 0.5f}};
+        const float strength = (float)strengths[i],
+                    cosines[] = {0.939692621f, 0.467460632f}; // of 20 and 62.13
+        for (int c = 0; c < 3; c++) {
+            assert_true(light->color[c] == share * colors[i][c]);
+        }
+        assert_floats(&light->intensity, &strength, 1, 1e-4f * strength);
+        if (i < 2) {
+            assert_floats(light->position, place, 3, 1e-5f);
+        }
+        if (i > 0) {
+            assert_floats(light->direction, forward, 3, 1e-6f);
+        }
+        if (i == 1) {
+            assert_floats(&light->inner_cos, &cosines[0], 1, 1e-6f);
+            assert_floats(&light->outer_cos, &cosines[1], 1, 1e-6f);
+        }
+        static const float world[16] = {2.0f / 3, 1.0f / 3, -2.0f / 3, 0, -2.0f / 3, 2.0f / 3, -1.0f / 3, 0,
+                                        1.0f / 3, 2.0f / 3, 2.0f / 3,  0, 3,         4,        12,        1};
+        assert_int_equal(model->camera_count, 1);
+        assert_floats(model->cameras[0].world, world, 16, 1e-5f);
+        assert_floats(&model->cameras[0].zfar, (const float[]){50}, 1, 0);
+        scene_model_free(model);
+    }
+}
+
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_gaps_in_archive),
     cmocka_unit_test(test_relief),
@@ -515,6 +588,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_blanks),
     cmocka_unit_test(test_convex),
     cmocka_unit_test(test_cameras),
+    cmocka_unit_test(test_turned_nodes),
     cmocka_unit_test(test_texture_coordinate_sets),
     cmocka_unit_test(test_images_without_names),
 };
