@@ -387,6 +387,7 @@ static void test_parts_without_groups(void **state)
     for (int i = 0; i < 2; i++) {
         struct chunks chunks = {.size = 0};
         const size_t file = begin(&chunks, 0x4d4d), editor = begin(&chunks, 0x3d3d);
+        put_faces(&chunks, folds, 8, folded, 0); // one that has none
         if (i == 0) {
             put_faces(&chunks, tie, 5, tied, 2);
         } else {
@@ -396,7 +397,8 @@ static void test_parts_without_groups(void **state)
         end(&chunks, file);
         write_bytes("p.3ds", chunks.bytes, chunks.size);
         struct scene_model *const model = load("p.3ds");
-        assert_int_equal(model->meshes[0].vertex_count, i == 0 ? 6 : 8);
+        assert_int_equal(model->triangles_drawn, i == 0 ? 2 : 4);
+        assert_int_equal(model->meshes[model->mesh_count - 1].vertex_count, i == 0 ? 6 : 8);
         scene_model_free(model);
     }
 }
