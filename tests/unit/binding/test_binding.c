@@ -3,6 +3,7 @@
 #include "binding/binding.h"
 #include "bound_things.h"
 #include "context/context.h"
+#include "form/texel_plane.h"
 #include "format/format.h"
 
 // Sampling ---------------------------------------------------------------------------------------------
@@ -175,7 +176,7 @@ static void expect_2d(const struct rig *rig, rhw_texture texture, rhw_sampler sa
     assert_false(rhw_binding_sample_is_2d(NULL));
 }
 
-// A plane has what a fetch gives.
+// A plane has what a fetch gives, which is nothing outside of the texels.
 static void expect_plane(const struct rig *rig, rhw_texture texture, bool is_plane)
 {
     struct rhw_binding bound;
@@ -190,6 +191,20 @@ static void expect_plane(const struct rig *rig, rhw_texture texture, bool is_pla
             const float fetched = texel[0][x];
             assert_memory_equal(&fetched, &plane.texels[y * plane.pitch + x], sizeof fetched);
         }
+    }
+    const int wrapped =
+        is_plane ? (int)(((uint64_t)1 << 32) / (uint64_t)plane.pitch) : 0; // rows in 32 bits of texels
+    const int rows[] = {0,       plane.height - 1, -1,       plane.height, plane.height + 1,
+                        wrapped, INT32_MIN,        INT32_MAX};
+    for (size_t i = 0; i < sizeof rows / sizeof *rows && is_plane; i++) {
+        const rhw_int columns = {0,           plane.width - 1, -1,
+                                 plane.width, plane.pitch,     plane.width - 1 - plane.pitch,
+                                 INT32_MIN,   INT32_MAX};
+        const rhw_int at[4] = {columns, rhw_splat_int(rows[i])};
+        rhw_float texel[4];
+        rhw_binding_sample_fetch(&bound, at, NULL, texel);
+        const rhw_float fetched = shader_fetch_texel(&plane, at[0], at[1]);
+        assert_memory_equal(&fetched, &texel[0], sizeof fetched);
     }
 }
 
