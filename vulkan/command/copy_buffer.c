@@ -15,7 +15,9 @@ static void replay_copy(struct vulkan_replay *replay, const struct vulkan_comman
 {
     (void)replay;
     const struct copy_command *const copy = (const struct copy_command *)command;
-    memmove(copy->to, copy->from, copy->size);
+    if (copy->size > 0) {
+        memmove(copy->to, copy->from, copy->size);
+    }
 }
 
 // Return the smaller number.
@@ -40,8 +42,8 @@ VKAPI_ATTR void VKAPI_CALL vkCmdCopyBuffer(VkCommandBuffer buffer, VkBuffer from
     for (uint32_t i = 0; i < count; i++) {
         struct copy_command *const command = vulkan_record(buffer, sizeof *command, replay_copy);
         if (command) {
-            command->from = from->bytes + regions[i].srcOffset;
-            command->to = to->bytes + regions[i].dstOffset;
+            command->from = vulkan_buffer_at(from, regions[i].srcOffset);
+            command->to = vulkan_buffer_at(to, regions[i].dstOffset);
             command->size = (size_t)least(vulkan_buffer_range(from, regions[i].srcOffset, regions[i].size),
                                           vulkan_buffer_range(to, regions[i].dstOffset, regions[i].size));
             tell_cut("vkCmdCopyBuffer", command->size, regions[i].size);
@@ -57,7 +59,7 @@ VKAPI_ATTR void VKAPI_CALL vkCmdUpdateBuffer(VkCommandBuffer buffer, VkBuffer to
     if (command) {
         memcpy(command + 1, data, (size_t)size);
         command->from = (const unsigned char *)(command + 1);
-        command->to = to->bytes + offset;
+        command->to = vulkan_buffer_at(to, offset);
         command->size = (size_t)vulkan_buffer_range(to, offset, size);
         tell_cut("vkCmdUpdateBuffer", command->size, size);
     }
@@ -85,7 +87,7 @@ VKAPI_ATTR void VKAPI_CALL vkCmdFillBuffer(VkCommandBuffer buffer, VkBuffer to, 
 {
     struct fill_command *const command = vulkan_record(buffer, sizeof *command, replay_fill);
     if (command) {
-        command->to = to->bytes + offset;
+        command->to = vulkan_buffer_at(to, offset);
         command->words = (size_t)vulkan_buffer_range(to, offset, size) / sizeof word;
         tell_cut("vkCmdFillBuffer", command->words * sizeof word, size == VK_WHOLE_SIZE ? 0 : size);
         command->word = word;

@@ -27,7 +27,8 @@ static struct vulkan_rows buffer_rows(const struct buffer_copy *copy)
     const size_t bytes = vulkan_format_bytes(image->vulkan_format, region->imageSubresource.aspectMask);
     const size_t pitch = (columns + width - 1) / width * bytes, count = (rows + height - 1) / height;
     const bool is_product = pitch == 0 || count <= SIZE_MAX / pitch;
-    return (struct vulkan_rows){copy->bytes + region->bufferOffset, pitch,
+    const bool is_inside = region->bufferOffset < copy->size;
+    return (struct vulkan_rows){is_inside ? copy->bytes + region->bufferOffset : NULL, pitch,
                                 is_product ? count * pitch : SIZE_MAX};
 }
 

@@ -2,8 +2,6 @@
 #include "feedback.h"
 #include "replay.h"
 
-#include <string.h>
-
 enum { RANGES = RHW_MAX_FEEDBACK_TARGETS };
 
 void vulkan_feedback_resume(struct vulkan_replay *replay)
@@ -50,7 +48,9 @@ struct bind_command {
 static void replay_bind(struct vulkan_replay *replay, const struct vulkan_command *command)
 {
     const struct bind_command *const bind = (const struct bind_command *)command;
-    memcpy(&replay->feedback.ranges[bind->first], bind->ranges, bind->count * sizeof *bind->ranges);
+    for (uint32_t i = 0; i < bind->count; i++) {
+        replay->feedback.ranges[bind->first + i] = bind->ranges[i];
+    }
 }
 
 // Return how many of `count` buffers from `first` on there may be.

@@ -365,7 +365,7 @@ VKAPI_ATTR void VKAPI_CALL vkCmdCopyQueryPoolResults(VkCommandBuffer buffer, VkQ
         command->results = (struct results){.pool = pool,
                                             .first = first,
                                             .count = count_within(pool, first, count),
-                                            .data = to->bytes + offset,
+                                            .data = vulkan_buffer_at(to, offset),
                                             .size = vulkan_buffer_range(to, offset, VK_WHOLE_SIZE),
                                             .stride = stride,
                                             .flags = flags};

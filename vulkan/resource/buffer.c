@@ -33,6 +33,11 @@ VkDeviceSize vulkan_buffer_range(VkBuffer buffer, VkDeviceSize offset, VkDeviceS
     return range < left ? range : left; // VK_WHOLE_SIZE is the largest number
 }
 
+unsigned char *vulkan_buffer_at(VkBuffer buffer, VkDeviceSize offset)
+{
+    return buffer->bytes && offset < buffer->size ? buffer->bytes + offset : NULL;
+}
+
 VKAPI_ATTR void VKAPI_CALL vkGetBufferMemoryRequirements(VkDevice device, VkBuffer buffer,
                                                          VkMemoryRequirements *requirements)
 {
@@ -98,7 +103,7 @@ VKAPI_ATTR VkResult VKAPI_CALL vkCreateBufferView(VkDevice device, const VkBuffe
     const VkDeviceSize size = vulkan_buffer_range(buffer, info->offset, info->range);
     // A binding that is refused is empty, and reads as 0.
     if (buffer->bytes &&
-        !rhw_binding_of_texel_memory(device->isa, buffer->bytes + info->offset, (size_t)size,
+        !rhw_binding_of_texel_memory(device->isa, vulkan_buffer_at(buffer, info->offset), (size_t)size,
                                      vulkan_format(info->format), false, &(*view)->binding)) {
         vulkan_log("vkCreateBufferView: offset %llu and format %d make no texels",
                    (unsigned long long)info->offset, (int)info->format);

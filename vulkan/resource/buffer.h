@@ -19,4 +19,7 @@ struct VkBufferView_T {
 // buffer has. A buffer without memory has none.
 VkDeviceSize vulkan_buffer_range(VkBuffer buffer, VkDeviceSize offset, VkDeviceSize range);
 
+// Return the place of a byte, or NULL if the buffer has no such byte.
+unsigned char *vulkan_buffer_at(VkBuffer buffer, VkDeviceSize offset);
+
 #endif
