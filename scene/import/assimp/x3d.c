@@ -149,7 +149,8 @@ static void tell_crease_angle(struct scene_import *import, char *tag, char *clos
 
 static char *write_tags(struct scene_import *import, char *source, size_t *size)
 {
-    char *const text = scene_assimp_repeat_groups(import, source, size);
+    char *const text =
+        scene_assimp_repeat_groups(import, scene_assimp_hide_proxies(import, source, size), size);
     struct scene_edits edits = {0};
     struct scene_x3d_quads quads = {0};
     char *close;

@@ -92,6 +92,24 @@ static void test_nodes(void **state)
          "0'/>"
          "<Normal vector='0 0 1 0 0 1 0 0 1'/></IndexedFaceSet></Shape>",
          2, NULL},
+        {"<Collision><Shape containerField='proxy'><Sphere/></Shape>" SHAPE("") "</Collision>", 2, NULL},
+        {"<Collision><Group containerField='proxy'><Group containerField='proxy'>" SHAPE(
+             "") "</Group></Group>" SHAPE("") "</Collision><Group containerField='children'>" SHAPE("") "</"
+                                                                                                        "Grou"
+                                                                                                        "p>",
+         3, NULL},
+        {"<Group><Shape containerField='proxy'><Sphere/></Shape><Shape "
+         "containerField='proxy'><Sphere/></Shape><Group "
+         "containerField='proxy'/></Group>",
+         1, NULL},
+        {"<Collision><Group containerField='proxy' DEF='b'>" SHAPE("") "</Group></Collision><Group USE='b'/>",
+         2, NULL},
+        {"<Group DEF='b'>" SHAPE("") "</Group><Collision><Group containerField='proxy' USE='b'/>" SHAPE(
+             "") "</Collision>",
+         3, NULL},
+        {"<Collision><Shape containerField='proxy' DEF='s'><IndexedFaceSet coordIndex='0 1 2 -1'>"
+         "<Coordinate point='0 0 0 1 0 0 0 1 0'/></IndexedFaceSet></Shape></Collision><Shape USE='s'/>",
+         2, NULL},
         {"<MetadataSet><MetadataString containerField='value' value='\"b\"'/></MetadataSet>"
          "<Group><MetadataString value='\"b\"'/></Group><Switch><MetadataFloat "
          "value='1'></MetadataFloat></Switch>",
