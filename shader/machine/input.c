@@ -70,83 +70,48 @@ struct x86_operand shader_lane_numbers(struct shader_generator *g)
     return shader_pool_bytes(&g->code, numbers, sizeof numbers);
 }
 
-static void define_lane_numbers(struct shader_generator *g, uint32_t value)
-{
-    shader_put(g, X86_VMOVUPS, shader_result(g, value), 0, shader_lane_numbers(g));
-}
-
-static void define_zero(struct shader_generator *g, uint32_t value)
-{
-    const int result = shader_result(g, value);
-    shader_put(g, X86_VXORPS, result, result, x86_reg(result));
-}
-
-static void select_fragment_built_in(struct shader_generator *g, uint32_t value, uint32_t number)
-{
-    static const size_t offsets[SHADER_IN_COUNT] = {
-        [SHADER_IN_COORD] = offsetof(struct rhw_fragment, coord),
-        [SHADER_IN_COORD + 1] = offsetof(struct rhw_fragment, coord[1]),
-        [SHADER_IN_COORD + 2] = offsetof(struct rhw_fragment, coord[2]),
-        [SHADER_IN_COORD + 3] = offsetof(struct rhw_fragment, coord[3]),
-        [SHADER_IN_FRONT_FACING] = offsetof(struct rhw_fragment, front_facing),
-        [SHADER_IN_PRIMITIVE] = offsetof(struct rhw_fragment, primitive),
-        [SHADER_IN_SAMPLE_ID] = offsetof(struct rhw_fragment, sample_id),
-        [SHADER_IN_SAMPLE_POSITION] = offsetof(struct rhw_fragment, sample_position),
-        [SHADER_IN_SAMPLE_POSITION + 1] = offsetof(struct rhw_fragment, sample_position[1]),
-        [SHADER_IN_POINT_COORD] = offsetof(struct rhw_fragment, point_coord),
-        [SHADER_IN_POINT_COORD + 1] = offsetof(struct rhw_fragment, point_coord[1]),
-        [SHADER_IN_LAYER] = offsetof(struct rhw_fragment, layer),
-        [SHADER_IN_VIEWPORT] = offsetof(struct rhw_fragment, viewport_index),
-    };
-    if (number == SHADER_IN_SAMPLE_MASK) { // an output changes it
-        shader_put(g, X86_VMOVUPS, shader_result(g, value), 0,
-                   x86_at(X86_RBX, offsetof(struct rhw_fragment, sample_mask)));
-    } else if (number == SHADER_IN_LANE) {
-        define_lane_numbers(g, value);
-    } else if (offsets[number] == 0) {
-        define_zero(g, value);
-    } else {
-        place_value(g, value, SHADER_IN_GROUP, offsets[number]);
-    }
-}
-
-static void select_invocation_built_in(struct shader_generator *g, uint32_t value, uint32_t number)
-{
-    if (number == SHADER_IN_LANE) {
-        define_lane_numbers(g, value);
-    } else if (number >= SHADER_IN_LOCAL_INDEX) {
-        place_value(g, value, SHADER_IN_GROUP, offsetof(struct rhw_invocations, index));
-    } else if (number >= SHADER_IN_GLOBAL) {
-        place_value(g, value, SHADER_IN_GROUP,
-                    offsetof(struct rhw_invocations, id) + VECTOR * (number - SHADER_IN_GLOBAL));
-    } else if (number >= SHADER_IN_LOCAL) {
-        place_value(g, value, SHADER_IN_GROUP,
-                    offsetof(struct rhw_invocations, local) + VECTOR * (number - SHADER_IN_LOCAL));
-    } else if (number >= SHADER_IN_WORKGROUP_COUNT) {
-        const size_t offset =
-            number >= SHADER_IN_WORKGROUP
-                ? offsetof(struct rhw_workgroup, id) + sizeof(int32_t) * (number - SHADER_IN_WORKGROUP)
-                : offsetof(struct rhw_workgroup, counts) +
-                      sizeof(int32_t) * (number - SHADER_IN_WORKGROUP_COUNT);
-        shader_put(g, X86_VBROADCASTSS, shader_result(g, value), 0, x86_at(X86_R14, (int32_t)offset));
-    } else {
-        define_zero(g, value);
-    }
-}
+// Inputs that lie in the group, with their components behind one another.
+static const struct {
+    uint16_t number, count;
+    size_t offset;
+} places[RHW_SHADER_STAGE_COUNT][8] = {
+    [RHW_SHADER_VERTEX] = {{SHADER_IN_VERTEX_INDEX, 1, offsetof(struct rhw_vertex, vertex_index)},
+                           {SHADER_IN_INSTANCE_INDEX, 1, offsetof(struct rhw_vertex, instance_index)}},
+    [RHW_SHADER_FRAGMENT] = {{SHADER_IN_COORD, 4, offsetof(struct rhw_fragment, coord)},
+                             {SHADER_IN_FRONT_FACING, 1, offsetof(struct rhw_fragment, front_facing)},
+                             {SHADER_IN_PRIMITIVE, 1, offsetof(struct rhw_fragment, primitive)},
+                             {SHADER_IN_SAMPLE_ID, 1, offsetof(struct rhw_fragment, sample_id)},
+                             {SHADER_IN_SAMPLE_POSITION, 2, offsetof(struct rhw_fragment, sample_position)},
+                             {SHADER_IN_POINT_COORD, 2, offsetof(struct rhw_fragment, point_coord)},
+                             {SHADER_IN_LAYER, 1, offsetof(struct rhw_fragment, layer)},
+                             {SHADER_IN_VIEWPORT, 1, offsetof(struct rhw_fragment, viewport_index)}},
+    [RHW_SHADER_COMPUTE] = {{SHADER_IN_GLOBAL, 3, offsetof(struct rhw_invocations, id)},
+                            {SHADER_IN_LOCAL, 3, offsetof(struct rhw_invocations, local)},
+                            {SHADER_IN_LOCAL_INDEX, 1, offsetof(struct rhw_invocations, index)}},
+};
 
 static void select_built_in(struct shader_generator *g, uint32_t value)
 {
     const uint32_t number = g->form->nodes[value].immediate;
-    if (g->kind == RHW_SHADER_FRAGMENT) {
-        select_fragment_built_in(g, value, number);
-    } else if (g->kind == RHW_SHADER_COMPUTE) {
-        select_invocation_built_in(g, value, number);
-    } else if (number == SHADER_IN_LANE) {
-        define_lane_numbers(g, value);
+    for (int i = 0; i < 8; i++) {
+        const uint32_t component = number - places[g->kind][i].number;
+        if (component < places[g->kind][i].count) {
+            place_value(g, value, SHADER_IN_GROUP, places[g->kind][i].offset + VECTOR * component);
+            return;
+        }
+    }
+    const int result = shader_result(g, value);
+    if (number == SHADER_IN_LANE) {
+        shader_put(g, X86_VMOVUPS, result, 0, shader_lane_numbers(g));
+    } else if (g->kind == RHW_SHADER_FRAGMENT && number == SHADER_IN_SAMPLE_MASK) { // an output changes it
+        shader_put(g, X86_VMOVUPS, result, 0, x86_at(X86_RBX, offsetof(struct rhw_fragment, sample_mask)));
+    } else if (g->kind == RHW_SHADER_COMPUTE && number >= SHADER_IN_WORKGROUP_COUNT) {
+        const uint32_t component = number - SHADER_IN_WORKGROUP_COUNT;
+        const size_t offset = component < 3 ? offsetof(struct rhw_workgroup, counts) + 4 * component
+                                            : offsetof(struct rhw_workgroup, id) + 4 * (component - 3);
+        shader_put(g, X86_VBROADCASTSS, result, 0, x86_at(X86_R14, (int32_t)offset));
     } else {
-        place_value(g, value, SHADER_IN_GROUP,
-                    number == SHADER_IN_INSTANCE_INDEX ? offsetof(struct rhw_vertex, instance_index)
-                                                       : offsetof(struct rhw_vertex, vertex_index));
+        shader_put(g, X86_VXORPS, result, result, x86_reg(result));
     }
 }
 
