@@ -269,7 +269,7 @@ static void expect_border(const VkComponentMapping *components, uint32_t texel)
 static void borders_have_any_color(void **state)
 {
     (void)state;
-    expect_border(&(VkComponentMapping){VK_COMPONENT_SWIZZLE_IDENTITY}, 0x00ff33ff);
+    expect_border(&(VkComponentMapping){.r = VK_COMPONENT_SWIZZLE_IDENTITY}, 0x00ff33ff);
     const VkComponentMapping exchanged = {VK_COMPONENT_SWIZZLE_B, VK_COMPONENT_SWIZZLE_R,
                                           VK_COMPONENT_SWIZZLE_ONE, VK_COMPONENT_SWIZZLE_G};
     expect_border(&exchanged, 0x3300ffff);

@@ -147,7 +147,7 @@ static void make_views(struct hostile *h)
             .viewType = is_wild ? (VkImageViewType)hostile_below(h, 7) : (VkImageViewType)kinds[image].type,
             .format = is_wild && hostile_below(h, 3) == 0 ? kinds[hostile_below(h, HOSTILE_IMAGES)].format
                                                           : kinds[image].format,
-            .components = {(VkComponentSwizzle)hostile_below(h, 7), VK_COMPONENT_SWIZZLE_IDENTITY},
+            .components = {.r = (VkComponentSwizzle)hostile_below(h, 7)},
             .subresourceRange = {h->aspects[image], is_wild ? hostile_below(h, 4) : 0,
                                  is_wild ? hostile_any(h) : 1, is_wild ? hostile_below(h, 4) : 0,
                                  is_wild ? hostile_any(h) : 1}};
