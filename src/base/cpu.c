@@ -36,6 +36,7 @@ static uint32_t read_xcr0(void)
 
 // Bits have the numbers that Intel's manual, volume 2, table 3-8 and AMD's volume 3, appendix E give them.
 enum {
+    LEAF1_ECX_FMA = 1 << 12,
     LEAF1_ECX_POPCNT = 1 << 23,
     LEAF1_ECX_OSXSAVE = 1 << 27,
     LEAF1_ECX_AVX = 1 << 28,
@@ -67,7 +68,8 @@ bool rhw_cpu_supports(enum rhw_isa isa)
     }
 
     const struct cpuid_registers leaf1 = read_cpuid(1);
-    if (!has_all(leaf1.ecx, LEAF1_ECX_OSXSAVE | LEAF1_ECX_AVX | LEAF1_ECX_F16C | LEAF1_ECX_POPCNT)) {
+    if (!has_all(leaf1.ecx,
+                 LEAF1_ECX_OSXSAVE | LEAF1_ECX_AVX | LEAF1_ECX_F16C | LEAF1_ECX_FMA | LEAF1_ECX_POPCNT)) {
         return false;
     }
     const uint32_t xcr0 = read_xcr0();

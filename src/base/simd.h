@@ -110,6 +110,26 @@ RHW_INLINE void i32x8_store(void *p, i32x8 v)
     memcpy(p, &v, sizeof v);
 }
 
+// This is 1 where f32x8_fused is an instruction.
+#if defined(__AVX2__)
+enum { F32_FUSES = 1 };
+#else
+enum { F32_FUSES = 0 };
+#endif
+
+// Return a · b + c, rounded once where F32_FUSES is 1, and twice elsewhere: a caller has to prove that its result is the
+// same. The instruction is written out because a compiler that is allowed fused operations (-mfma) could make more of
+// them than this one. cpu.c asks for it as a part of AVX2.
+RHW_INLINE f32x8 f32x8_fused(f32x8 a, f32x8 b, f32x8 c)
+{
+#if defined(__AVX2__)
+    __asm__("vfmadd213ps %2, %1, %0" : "+x"(a) : "x"(b), "x"(c));
+    return a;
+#else
+    return a * b + c;
+#endif
+}
+
 // Return a where the mask is −1, and b where it is 0.
 RHW_INLINE f32x8 f32x8_select(i32x8 mask, f32x8 a, f32x8 b)
 {

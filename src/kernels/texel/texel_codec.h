@@ -19,11 +19,10 @@ struct raw_texels {
 
 // Codes of 8 bits ------------------------------------------------------------------------------------
 
-// Return c / 255 correctly rounded, for whole c of 0..255: 1/255 = 1/256 + 1/65280.
+// Return c / 255 correctly rounded, for whole c of 0..255.
 RHW_INLINE f32x8 unorm8_to_float(i32x8 code)
 {
-    const f32x8 c = rhw_float_from_int(code);
-    return c * 0x1p-8f + c * 1.53186284e-05f;
+    return unit_of_steps(rhw_float_from_int(code), 8, 1.0f);
 }
 
 // Return values in any range as codes in the lowest byte of each lane, with rubbish above. From 2^23 on floats have no

@@ -9,35 +9,48 @@
 
 // Numbers -------------------------------------------------------------------------------------------
 
-// Return v · (2^bits − 1) rounded to nearest, ties to even, for v of 0..1 and up to 16 bits. Floats do it exactly:
-// v · 2^bits is exact, and so are the whole number n that is nearest to it and the distance d from n, of −1/2..1/2. The
-// product is n + d − v, so that n is right unless v > d + 1/2. That sum is exact where it can be less than v, which
-// then is at least 2^−(bits + 1). A tie, n + d − v = n − 1/2, is met by v = 1/2 alone, and n is even there.
-// The result stands in the lowest bits, with rubbish from bit 17 on.
-RHW_INLINE i32x8 steps_of_unit(f32x8 v, int bits)
+// Return steps / (2^bits − 1), correctly rounded, for whole steps of up to 16 bits times `unit`, a power of two. The
+// divisor's reciprocal is 2^−bits and a rest, and the first product is exact. With one rounding or with two, the sum is
+// right for all steps: test_codes_are_quotients tries them.
+RHW_INLINE f32x8 unit_of_steps(f32x8 steps, int bits, float unit)
 {
-    if (bits == 1) { // v = 1/2 is between 0 and 1 here, and n would be 1
-        return (i32x8)(v + 0x1p23f);
+    const float part = 1.0f / (float)(1 << bits), rest = part / (float)((1 << bits) - 1);
+    return f32x8_fused(steps, rhw_splat(rest / unit), steps * (part / unit));
+}
+
+// The integers of this file that are rounded from floats have these bits added.
+static const int32_t shifted_bits =
+    0x4b400000; // of 1.5 · 2^23, above which floats have no fraction, up to 2^24
+
+// Return v · (2^bits − 1) rounded to nearest, ties to even, for v of −1..1 and up to 16 bits, plus shifted_bits.
+// Without a fused operation floats do it exactly, too: v · 2^bits is exact, and so are the whole number n that is
+// nearest to it and the distance d from n, of −1/2..1/2. The product is n + d − v, so that n is right unless v >
+// d + 1/2 or v < d − 1/2. That sum is exact where it can be less than v, which then is at least 2^−(bits + 1), and so is
+// the difference. A tie, n + d − v = n − 1/2, is met by v = 1/2 alone, and n is even there; so for −1/2.
+RHW_INLINE i32x8 steps_of_unit(f32x8 v, int bits, bool is_signed)
+{
+    const f32x8 shift = rhw_splat(0x1.8p23f);
+    if (F32_FUSES || bits == 1) { // v = 1/2 is between 0 and 1 of one bit, and n would be 1
+        return (i32x8)f32x8_fused(v, rhw_splat((float)((1 << bits) - 1)), shift);
     }
-    // From 2^23 on floats have no fraction.
-    const f32x8 scaled = v * (float)(1 << bits), shifted = scaled + 0x1p23f;
-    const f32x8 distance = scaled - (shifted - 0x1p23f);
-    return (i32x8)shifted + rhw_less(distance + 0.5f, v);
+    const f32x8 scaled = v * (float)(1 << bits), shifted = scaled + shift;
+    const f32x8 distance = scaled - (shifted - shift);
+    const i32x8 steps = (i32x8)shifted + rhw_less(distance + 0.5f, v);
+    return is_signed ? steps - rhw_less(v, distance - 0.5f) : steps;
 }
 
 // Return values as numbers of 0..2^bits − 1 (Vulkan 1.3 §3.9.2, "Conversion From Floating-Point to Normalized
-// Fixed-Point"). NaN becomes 0.
+// Fixed-Point"), plus shifted_bits. NaN becomes 0.
 RHW_INLINE i32x8 unorm_from_float(f32x8 value, int bits)
 {
-    return steps_of_unit(rhw_saturate(value), bits);
+    return steps_of_unit(rhw_saturate(value), bits, false);
 }
 
 // Return values as numbers with a sign, by the same rules.
 RHW_INLINE i32x8 snorm_from_float(f32x8 value, int bits)
 {
-    const i32x8 sign = (i32x8)value >> 31;
-    const f32x8 magnitude = (f32x8)((i32x8)value & 0x7fffffff);
-    return (steps_of_unit(rhw_saturate(magnitude), bits - 1) ^ sign) - sign;
+    const f32x8 v = rhw_clamp(value, rhw_splat(-1.0f), rhw_splat(1.0f));
+    return steps_of_unit((f32x8)((i32x8)v & rhw_equal(value, value)), bits - 1, true);
 }
 
 // Return values as floats without a sign, of 5 bits of exponent and `places` of fraction (OpenGL 4.6 §2.3.4.3), rounded
@@ -102,25 +115,21 @@ RHW_INLINE f32x8 field_value(enum rhw_channel_type type, i32x8 word, int first, 
 {
     const i32x8 raised = word << (32 - bits - first), code = (i32x8)((u32x8)raised >> (32 - bits));
     switch (type) {
-    case RHW_CHANNEL_UNORM: return rhw_float_from_int(code) / (float)((1 << bits) - 1);
+    case RHW_CHANNEL_UNORM:
+        // A channel below the sign of the word is converted where it stands.
+        if (first + bits < 32) {
+            const i32x8 steps = word & i32x8_splat(((1 << bits) - 1) << first);
+            return unit_of_steps(rhw_float_from_int(steps), bits, (float)(1 << first));
+        }
+        return unit_of_steps(rhw_float_from_int(code), bits, 1.0f);
     case RHW_CHANNEL_SNORM:
-        return rhw_max(rhw_float_from_int(raised >> (32 - bits)) / (float)((1 << (bits - 1)) - 1),
+        return rhw_max(unit_of_steps(rhw_float_from_int(raised >> (32 - bits)), bits - 1, 1.0f),
                        rhw_splat(-1.0f));
     case RHW_CHANNEL_SINT: return (f32x8)(raised >> (32 - bits));
     case RHW_CHANNEL_UFLOAT: return f32x8_from_half(code << (15 - bits));
     case RHW_CHANNEL_SHARED:
         return rhw_float_from_int(code) * power_of_two((i32x8)((u32x8)word >> 27) - SHARED_BIAS);
     default: return (f32x8)code;
-    }
-}
-
-RHW_INLINE i32x8 field_code(enum rhw_channel_type type, f32x8 value, int bits)
-{
-    switch (type) {
-    case RHW_CHANNEL_UNORM: return unorm_from_float(value, bits);
-    case RHW_CHANNEL_SNORM: return snorm_from_float(value, bits);
-    case RHW_CHANNEL_UFLOAT: return ufloat_from_float(value, bits - 5);
-    default: return (i32x8)value;
     }
 }
 
@@ -133,6 +142,26 @@ RHW_INLINE void decode_known_fields(const struct rhw_format_info *format, const 
     }
 }
 
+// Encode UNORM or SNORM. Numbers are added up in their places. What is added to them besides is one sum, which is taken
+// away at the end: shifted_bits, less half the range of numbers with a sign, which thus borrow nothing from the channel
+// above. That half is the highest bit of a number, which changes then.
+RHW_INLINE void encode_normalized(const struct rhw_format_info *format, const f32x8 *value, i32x8 word[4])
+{
+    uint32_t besides[2] = {0, 0}, high[2] = {0, 0};
+    for (int c = 0; c < format->channels; c++) {
+        const bool is_signed = format->type == RHW_CHANNEL_SNORM;
+        const int w = format->first[c] / 32, first = format->first[c] % 32, bits = format->bits[c];
+        const uint32_t half = is_signed ? 1u << (bits - 1) : 0;
+        const i32x8 steps = is_signed ? snorm_from_float(value[c], bits) : unorm_from_float(value[c], bits);
+        word[w] = word[w] + (steps << first);
+        besides[w] += ((uint32_t)shifted_bits - half) << first;
+        high[w] |= half << first;
+    }
+    for (int w = 0; w < (format->size + 3) / 4; w++) {
+        word[w] = (word[w] - i32x8_splat((int32_t)besides[w])) ^ i32x8_splat((int32_t)high[w]);
+    }
+}
+
 RHW_INLINE void encode_known_fields(const struct rhw_format_info *format, const f32x8 *value, i32x8 word[4])
 {
     word[0] = word[1] = i32x8_splat(0);
@@ -140,13 +169,14 @@ RHW_INLINE void encode_known_fields(const struct rhw_format_info *format, const 
         word[0] = shared_from_float(value);
         return;
     }
+    if (rhw_format_is_normalized(format)) {
+        encode_normalized(format, value, word);
+        return;
+    }
     for (int c = 0; c < format->channels; c++) {
         const int first = format->first[c], bits = format->bits[c];
-        i32x8 code = field_code(format->type, value[c], bits);
-        // What stands above the highest channel falls out of the word, or of the texel.
-        if (first % 32 + bits != 32 && first + bits != 8 * format->size) {
-            code = code & i32x8_splat((1 << bits) - 1);
-        }
+        const i32x8 code = format->type == RHW_CHANNEL_UFLOAT ? ufloat_from_float(value[c], bits - 5)
+                                                              : (i32x8)value[c] & (int32_t)((1u << bits) - 1);
         word[first / 32] = word[first / 32] | (code << (first % 32));
     }
 }

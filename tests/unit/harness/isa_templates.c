@@ -10,6 +10,13 @@ static void blend(const struct rhw_blend_state *state, const rhw_float color[4],
     blend_group(state, color, *mask, texels);
 }
 
+static void decode(const struct rhw_format_info *format, const unsigned char *texels, rhw_float value[4])
+{
+    struct raw_texels raw;
+    load_texel_row(format->size, texels, &raw);
+    decode_texels(format, &raw, value);
+}
+
 static inline rhw_float apply8(enum isa_function function, rhw_float a, rhw_float b)
 {
     switch (function) {
@@ -58,4 +65,4 @@ static void apply(enum isa_function function, const float *a, const float *b, fl
     }
 }
 
-const struct isa_templates RHW_ISA_NAME(isa_templates) = {blend, apply};
+const struct isa_templates RHW_ISA_NAME(isa_templates) = {blend, decode, apply};

@@ -8,6 +8,7 @@
 #include <rhw/shader.h>
 
 struct rhw_blend_state;
+struct rhw_format_info;
 
 enum isa_function {
     ISA_EXP2,
@@ -50,6 +51,8 @@ struct isa_templates {
     /// Blends 8 fragments; see blend_group.
     void (*blend)(const struct rhw_blend_state *state, const rhw_float color[4], const rhw_int *mask,
                   unsigned char *texels);
+    /// Decodes 8 texels of a row; see decode_texels.
+    void (*decode)(const struct rhw_format_info *format, const unsigned char *texels, rhw_float value[4]);
     /// result[i] = function(a[i], b[i]) of `count` numbers, a multiple of 8.
     void (*apply)(enum isa_function function, const float *a, const float *b, float *result, int count);
 };

@@ -17,6 +17,7 @@
 #include "pipeline/blend_state.h"
 #include "reference.h"
 #include "resource/clear_texel.h"
+#include "texel_model.h"
 #include "format/srgb.h"
 
 // sRGB ----------------------------------------------------------------------------------------------
@@ -421,6 +422,7 @@ static void test_values_between_two_steps(void **state)
         {RHW_FORMAT_RGB10A2_UNORM, 0, 10, 1023, false}, {RHW_FORMAT_RGB565_UNORM, 2, 5, 31, false},
         {RHW_FORMAT_RGBA4_UNORM, 3, 4, 15, false},      {RHW_FORMAT_RGB5A1_UNORM, 3, 1, 1, false},
         {RHW_FORMAT_R8_SNORM, 0, 8, 127, true},         {RHW_FORMAT_R16_SNORM, 0, 16, 32767, true},
+        {RHW_FORMAT_RGBA16_SNORM, 0, 16, 32767, true},
     };
     const float constant[4] = {0, 0, 0, 0};
     const rhw_int all = rhw_splat_int(-1);
@@ -454,6 +456,44 @@ static void test_values_between_two_steps(void **state)
             }
         }
     }
+}
+
+// Every code of every channel of a normalized format is read as its quotient, correctly rounded. Halves of 16 bits that
+// count together give each channel all its codes, wherever it stands.
+static void test_codes_are_quotients(void **state)
+{
+    (void)state;
+    int checked = 0;
+    for (int f = RHW_FORMAT_NONE + 1; f < RHW_PLAIN_FORMAT_COUNT; f++) {
+        const struct rhw_format_info *const format = rhw_format_info((enum rhw_format)f);
+        if (!rhw_format_has_role(format, RHW_ROLE_COLOR_TARGET) || !rhw_format_is_normalized(format)) {
+            continue;
+        }
+        const struct texel_model model = texel_model_of(format->name);
+        for (uint32_t code = 0; code < 0x10000; code += RHW_LANES) {
+            unsigned char texels[TEXELS * TEXEL_BYTES];
+            uint32_t expected[RHW_LANES][4];
+            for (int i = 0; i < RHW_LANES * format->size; i++) {
+                texels[i] =
+                    (unsigned char)((code + (uint32_t)(i / format->size)) >> (i % format->size % 2 * 8));
+            }
+            for (int lane = 0; lane < RHW_LANES; lane++) {
+                texel_model_decode(&model, texels + lane * format->size, expected[lane]);
+            }
+            for (int isa = 0; isa < RHW_ISA_COUNT; isa++) {
+                const struct isa_templates *const templates = isa_templates_for((enum rhw_isa)isa);
+                rhw_float value[4];
+                if (templates) {
+                    templates->decode(format, texels, value);
+                }
+                for (int i = 0; i < 4 * RHW_LANES && templates; i++) {
+                    assert_int_equal(to_bits(value[i % 4][i / 4]), expected[i / 4][i % 4]);
+                }
+            }
+        }
+        checked++;
+    }
+    assert_in_range(checked, 20, RHW_PLAIN_FORMAT_COUNT);
 }
 
 // The usual blending of RGBA8 has code of its own: it may differ from the exact value by float rounding
@@ -560,6 +600,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_usual_blending_of_every_format),
     cmocka_unit_test(test_known_formats_are_those_of_the_table),
     cmocka_unit_test(test_values_between_two_steps),
+    cmocka_unit_test(test_codes_are_quotients),
     cmocka_unit_test(test_blending_keeps_every_destination_code),
     cmocka_unit_test(test_clear_values_are_what_drawing_writes),
 };
