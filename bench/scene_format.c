@@ -7,7 +7,15 @@
 // How far apart two roundings to a format may be, in steps of 1/255: a step of its coarsest channel.
 static int step_of(enum bench_format format)
 {
-    return format == BENCH_RGB565 ? 9 : format == BENCH_RGB10A2 ? 86 : 1;
+    switch (format) {
+    case BENCH_RGB5A1: return 255;
+    case BENCH_RGB10A2: return 86;
+    case BENCH_RGBA4: return 17;
+    case BENCH_RGB565: return 9;
+    case BENCH_RG11B10F: return 5; // 5 bits of fraction at 1/2
+    case BENCH_RGBA8S: return 3;
+    default: return 1;
+    }
 }
 
 // Each of 8 layers that are blended may be rounded to either of two steps; later layers cover most of that.
@@ -27,7 +35,8 @@ bool bench_make_format(const struct bench_scene_entry *entry, struct bench_scene
     scene->picture = (enum bench_format)(entry->variant / 3);
     const bool made = bench_make_floor(&floor, scene, width, height, why, why_size);
     scene->tolerance.color = tolerance_of(scene->picture, variant);
-    // An alpha of two bits may be blended down to the value that tells what is not covered.
-    scene->tolerance.outliers = scene->picture == BENCH_RGB10A2 ? 1e-3 : 0.0;
+    // An alpha of one or two bits may be blended down to the value that tells what is not covered.
+    scene->tolerance.outliers =
+        scene->picture == BENCH_RGB10A2 || scene->picture == BENCH_RGB5A1 ? 1e-3 : 0.0;
     return made;
 }
