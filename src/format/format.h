@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the library knows about texel and vertex formats. A row of the table of texel formats (format.c) says everything
-// about one of them. Nothing else asks which format it has: it asks for a property in the row.
+// What the library knows about texel and vertex formats. A row of the table of texel formats (format_table.h) says
+// everything about one of them. Nothing else asks which format it has: it asks for a property in the row.
 // kernels/texel/texel_fields.h and kernels/texel/texel_codec.h read and write the values of a codec.
 #ifndef RHW_FORMAT_H
 #define RHW_FORMAT_H
@@ -38,28 +38,6 @@ enum rhw_channel_order { RHW_ORDER_RGBA, RHW_ORDER_BGRA, RHW_ORDER_ABGR };
 // Formats that the sampler and blending have fast paths for.
 enum rhw_texel_path { RHW_TEXELS_GENERAL, RHW_TEXELS_RGBA8_UNORM, RHW_TEXELS_RGBA8_SRGB };
 
-// Formats whose texels blending reads and writes by code of their own. kernels/texel/known_formats.h has the row of
-// each.
-enum rhw_known_format {
-    RHW_KNOWN_NONE,
-    RHW_KNOWN_R8,
-    RHW_KNOWN_RG8,
-    RHW_KNOWN_BGRA8,
-    RHW_KNOWN_BGRA8_SRGB,
-    RHW_KNOWN_R16,
-    RHW_KNOWN_RG16,
-    RHW_KNOWN_RGBA16,
-    RHW_KNOWN_RGB10A2,
-    RHW_KNOWN_RGB565,
-    RHW_KNOWN_R16_FLOAT,
-    RHW_KNOWN_RG16_FLOAT,
-    RHW_KNOWN_RGBA16_FLOAT,
-    RHW_KNOWN_R32_FLOAT,
-    RHW_KNOWN_RG32_FLOAT,
-    RHW_KNOWN_RGBA32_FLOAT,
-    RHW_KNOWN_COUNT
-};
-
 // What a texture of a format can be. Each role is a bit.
 enum {
     RHW_ROLE_COLOR_TARGET = 1,
@@ -86,7 +64,6 @@ struct rhw_format_info {
     uint8_t roles;
     enum rhw_channel_order order; // for UNORM8 and SRGB8
     enum rhw_channel_type type;   // for FIELDS and BITS32
-    enum rhw_known_format known;
     // For FIELDS: bits are counted from the lowest bit of the texel, and no channel crosses a word of 32 bits.
     uint8_t first[4], bits[4];
 };

@@ -52,9 +52,7 @@ static enum rhw_blend_path choose_path(const struct rhw_blend_state *state)
     if (format->path == RHW_TEXELS_RGBA8_UNORM && is_sum(state->color) && is_sum(state->alpha)) {
         return BLEND_RGBA8_SUM;
     }
-    // SNORM formats hold the factors to 1, which the general path does.
-    if (state->blend && state->writes_all && state->least == 0 && is_over(state->color) &&
-        is_over(state->alpha)) {
+    if (state->blend && state->writes_all && is_over(state->color) && is_over(state->alpha)) {
         return BLEND_OVER;
     }
     return state->replaces ? BLEND_REPLACE : BLEND_GENERAL;
@@ -114,14 +112,14 @@ void rhw_blend_state_init(struct rhw_blend_state *state, const struct rhw_color_
         }
         state->constant[i] = normalized ? clamp(constant[i], state->least) : constant[i];
     }
-    state->known = format->known;
-    state->is_sum = state->least == 0 && is_sum(state->color) && is_sum(state->alpha);
+    state->known = target->format;
+    state->is_sum = is_sum(state->color) && is_sum(state->alpha);
     state->path = choose_path(state);
 }
 
 void rhw_blend_state_generalize(struct rhw_blend_state *state)
 {
-    state->known = RHW_KNOWN_NONE;
+    state->known = RHW_FORMAT_NONE;
     state->is_sum = false;
     switch (state->path) {
     case BLEND_RGBA8_REPLACE:

@@ -27,7 +27,7 @@ static const enum rhw_format rhw_left_out_format = RHW_FORMAT_RGBA8_UNORM;
 struct rhw_blend_state {
     enum rhw_blend_path path;
     const struct rhw_format_info *format;
-    enum rhw_known_format known;
+    enum rhw_format known;     // the format, for code of its own; RHW_FORMAT_NONE: none
     bool blend;                // false too where blending is replacement spelled out
     bool color_one, alpha_one; // the source factor is ONE
     bool is_sum;               // ONE and ONE, added, of a format whose general path has code for that

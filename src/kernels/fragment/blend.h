@@ -8,6 +8,7 @@
 
 #include "pipeline/blend_state.h"
 #include "kernels/texel/texel_codec.h"
+#include "format/format_table.h"
 
 // Return the byte at `shift` of each lane as a float; it is exact.
 RHW_INLINE f32x8 byte_to_float(i32x8 texel, int shift)
@@ -280,7 +281,10 @@ RHW_INLINE void blend_format_over(const struct rhw_blend_state *state, const str
             clamp_values(format, src, clamped);
             src = clamped;
         }
-        const f32x8 keep = 1.0f - src[3];
+        f32x8 keep = 1.0f - src[3];
+        if (rhw_format_least(format) < 0) {
+            keep = rhw_min(keep, rhw_splat(1.0f)); // see blend_factor
+        }
         for (int i = 0; i < format->channels; i++) {
             result[i] = ((i == 3 ? alpha_one : color_one) ? src[i] : src[i] * src[3]) + dst[i] * keep;
         }
@@ -301,30 +305,40 @@ RHW_INLINE void act_on_format(enum texel_action action, const struct rhw_blend_s
     }
 }
 
-// Act on the state's format, as a constant where it is a known one.
+// Act on the state's format, as a constant where it is common as a target.
 RHW_INLINE void act_on_known_format(enum texel_action action, const struct rhw_blend_state *state,
                                     const struct texel_rows *rows)
 {
-    const struct rhw_format_info *const known = rhw_known_formats;
+#define ACT_ON(name) \
+    case RHW_FORMAT_##name: act_on_format(action, state, &rhw_format_table[RHW_FORMAT_##name], rows); break
     switch (state->known) {
-    case RHW_KNOWN_R8: act_on_format(action, state, &known[RHW_KNOWN_R8], rows); break;
-    case RHW_KNOWN_RG8: act_on_format(action, state, &known[RHW_KNOWN_RG8], rows); break;
-    case RHW_KNOWN_BGRA8: act_on_format(action, state, &known[RHW_KNOWN_BGRA8], rows); break;
-    case RHW_KNOWN_BGRA8_SRGB: act_on_format(action, state, &known[RHW_KNOWN_BGRA8_SRGB], rows); break;
-    case RHW_KNOWN_R16: act_on_format(action, state, &known[RHW_KNOWN_R16], rows); break;
-    case RHW_KNOWN_RG16: act_on_format(action, state, &known[RHW_KNOWN_RG16], rows); break;
-    case RHW_KNOWN_RGBA16: act_on_format(action, state, &known[RHW_KNOWN_RGBA16], rows); break;
-    case RHW_KNOWN_RGB10A2: act_on_format(action, state, &known[RHW_KNOWN_RGB10A2], rows); break;
-    case RHW_KNOWN_RGB565: act_on_format(action, state, &known[RHW_KNOWN_RGB565], rows); break;
-    case RHW_KNOWN_R16_FLOAT: act_on_format(action, state, &known[RHW_KNOWN_R16_FLOAT], rows); break;
-    case RHW_KNOWN_RG16_FLOAT: act_on_format(action, state, &known[RHW_KNOWN_RG16_FLOAT], rows); break;
-    case RHW_KNOWN_RGBA16_FLOAT: act_on_format(action, state, &known[RHW_KNOWN_RGBA16_FLOAT], rows); break;
-    case RHW_KNOWN_R32_FLOAT: act_on_format(action, state, &known[RHW_KNOWN_R32_FLOAT], rows); break;
-    case RHW_KNOWN_RG32_FLOAT: act_on_format(action, state, &known[RHW_KNOWN_RG32_FLOAT], rows); break;
-    case RHW_KNOWN_RGBA32_FLOAT: act_on_format(action, state, &known[RHW_KNOWN_RGBA32_FLOAT], rows); break;
-    case RHW_KNOWN_NONE:
-    case RHW_KNOWN_COUNT: act_on_format(action, state, state->format, rows); break;
+        ACT_ON(R8_UNORM);
+        ACT_ON(RG8_UNORM);
+        ACT_ON(BGRA8_UNORM);
+        ACT_ON(BGRA8_SRGB);
+        ACT_ON(RGBA8_SNORM);
+        ACT_ON(R16_UNORM);
+        ACT_ON(RG16_UNORM);
+        ACT_ON(RGBA16_UNORM);
+        ACT_ON(R16_SNORM);
+        ACT_ON(RG16_SNORM);
+        ACT_ON(RGBA16_SNORM);
+        ACT_ON(RGB10A2_UNORM);
+        ACT_ON(RG11B10_FLOAT);
+        ACT_ON(RGB565_UNORM);
+        ACT_ON(RGBA4_UNORM);
+        ACT_ON(RGB5A1_UNORM);
+        ACT_ON(BGRA4_UNORM);
+        ACT_ON(A1RGB5_UNORM);
+        ACT_ON(R16_FLOAT);
+        ACT_ON(RG16_FLOAT);
+        ACT_ON(RGBA16_FLOAT);
+        ACT_ON(R32_FLOAT);
+        ACT_ON(RG32_FLOAT);
+        ACT_ON(RGBA32_FLOAT);
+    default: act_on_format(action, state, state->format, rows); break;
     }
+#undef ACT_ON
 }
 
 // Blend any format in any way. The write mask counts bits, so that what is kept stays as it was. This function and the
@@ -335,7 +349,7 @@ static __attribute__((noinline)) void blend_rows(const struct rhw_blend_state *s
     act_on_known_format(BLEND_TEXELS, state, rows);
 }
 
-// Blend all channels of any format but SNORM ones by the usual factors.
+// Blend all channels of any format by the usual factors.
 static __attribute__((noinline)) void blend_rows_over(const struct rhw_blend_state *state,
                                                       const struct texel_rows *rows)
 {

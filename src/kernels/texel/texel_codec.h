@@ -9,7 +9,6 @@
 #include "base/simd_layout.h"
 #include "format/srgb.h"
 #include "texel_fields.h"
-#include "known_formats.h"
 
 // 8 texels as they stand in memory, in words of 4 bytes. A smaller texel stands in the low bytes of the first word,
 // with zero above.

@@ -18,15 +18,14 @@ RHW_INLINE f32x8 unit_of_steps(f32x8 steps, int bits, float unit)
     return f32x8_fused(steps, rhw_splat(rest / unit), steps * (part / unit));
 }
 
-// The integers of this file that are rounded from floats have these bits added.
-static const int32_t shifted_bits =
-    0x4b400000; // of 1.5 · 2^23, above which floats have no fraction, up to 2^24
+// From 1.5 · 2^23, whose bits these are, to 2^24 floats have no fraction. Rounded numbers have them added.
+static const int32_t shifted_bits = 0x4b400000;
 
 // Return v · (2^bits − 1) rounded to nearest, ties to even, for v of −1..1 and up to 16 bits, plus shifted_bits.
-// Without a fused operation floats do it exactly, too: v · 2^bits is exact, and so are the whole number n that is
-// nearest to it and the distance d from n, of −1/2..1/2. The product is n + d − v, so that n is right unless v >
-// d + 1/2 or v < d − 1/2. That sum is exact where it can be less than v, which then is at least 2^−(bits + 1), and so is
-// the difference. A tie, n + d − v = n − 1/2, is met by v = 1/2 alone, and n is even there; so for −1/2.
+// Floats do it exactly without a fused operation, too: v · 2^bits is exact, and so are the whole number n that is
+// nearest to it and the distance d from n, of −1/2..1/2. The product is n + d − v, so that n is right unless v is above
+// d + 1/2 or below d − 1/2. These are exact where they can be nearer to 0 than v, which then is at least 2^−(bits + 1)
+// away from it. A tie, n + d − v = n ∓ 1/2, is met by v = ±1/2 alone, and n is even there.
 RHW_INLINE i32x8 steps_of_unit(f32x8 v, int bits, bool is_signed)
 {
     const f32x8 shift = rhw_splat(0x1.8p23f);

@@ -13,7 +13,6 @@
 #include <mpfr.h>
 
 #include "base/half.h"
-#include "kernels/texel/known_formats.h"
 #include "pipeline/blend_state.h"
 #include "reference.h"
 #include "resource/clear_texel.h"
@@ -382,32 +381,6 @@ static void test_usual_blending_of_every_format(void **state)
     assert_in_range(sums, 20 * 10, 20 * RHW_FORMAT_COUNT);
 }
 
-// Every format whose row the codecs know has that row.
-static void test_known_formats_are_those_of_the_table(void **state)
-{
-    (void)state;
-    bool seen[RHW_KNOWN_COUNT] = {true};
-    for (int f = RHW_FORMAT_NONE + 1; f < RHW_PLAIN_FORMAT_COUNT; f++) {
-        const struct rhw_format_info *const info = rhw_format_info((enum rhw_format)f);
-        const struct rhw_format_info *const known = &rhw_known_formats[info->known];
-        if (info->known == RHW_KNOWN_NONE) {
-            continue;
-        }
-        assert_false(seen[info->known]);
-        seen[info->known] = true;
-        assert_int_equal(known->size, info->size);
-        assert_int_equal(known->channels, info->channels);
-        assert_int_equal(known->codec, info->codec);
-        assert_int_equal(known->order, info->order);
-        assert_int_equal(known->type, info->type);
-        assert_memory_equal(known->first, info->first, sizeof info->first);
-        assert_memory_equal(known->bits, info->bits, sizeof info->bits);
-    }
-    for (int known = 0; known < RHW_KNOWN_COUNT; known++) {
-        assert_true(seen[known]);
-    }
-}
-
 // The floats around every value that lies between two steps are rounded to the nearer one, and ties to even.
 static void test_values_between_two_steps(void **state)
 {
@@ -598,7 +571,6 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_rgba8_sums_are_those_of_the_general_path),
     cmocka_unit_test(test_normalized_formats_are_replaced),
     cmocka_unit_test(test_usual_blending_of_every_format),
-    cmocka_unit_test(test_known_formats_are_those_of_the_table),
     cmocka_unit_test(test_values_between_two_steps),
     cmocka_unit_test(test_codes_are_quotients),
     cmocka_unit_test(test_blending_keeps_every_destination_code),
