@@ -191,12 +191,13 @@ static __attribute__((noinline)) void merge_bits(const struct rhw_blend_state *s
     }
 }
 
-// Encode values. The codecs of normalized formats clamp, and make 0 of NaN.
+// Encode values. The codecs of normalized formats clamp, and make 0 of NaN; floats without a sign have one NaN.
 RHW_INLINE void encode_values(const struct rhw_format_info *format, const f32x8 *value,
                               struct raw_texels *raw)
 {
     f32x8 number[4] = {rhw_splat(0.0f), rhw_splat(0.0f), rhw_splat(0.0f), rhw_splat(0.0f)};
-    const bool keeps_nan = rhw_format_is_normalized(format) || rhw_format_is_integer(format);
+    const bool keeps_nan = rhw_format_is_normalized(format) || rhw_format_is_integer(format) ||
+                           format->type == RHW_CHANNEL_UFLOAT;
     for (int i = 0; i < format->channels; i++) {
         number[i] = keeps_nan ? value[i] : canonical_nan(value[i]);
     }
@@ -314,8 +315,14 @@ RHW_INLINE void act_on_known_format(enum texel_action action, const struct rhw_b
     switch (state->known) {
         ACT_ON(R8_UNORM);
         ACT_ON(RG8_UNORM);
+        ACT_ON(RGBA8_UNORM);
         ACT_ON(BGRA8_UNORM);
+        ACT_ON(ABGR8_UNORM);
+        ACT_ON(RGBA8_SRGB);
         ACT_ON(BGRA8_SRGB);
+        ACT_ON(ABGR8_SRGB);
+        ACT_ON(R8_SNORM);
+        ACT_ON(RG8_SNORM);
         ACT_ON(RGBA8_SNORM);
         ACT_ON(R16_UNORM);
         ACT_ON(RG16_UNORM);

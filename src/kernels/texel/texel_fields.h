@@ -53,21 +53,25 @@ RHW_INLINE i32x8 snorm_from_float(f32x8 value, int bits)
 }
 
 // Return values as floats without a sign, of 5 bits of exponent and `places` of fraction (OpenGL 4.6 §2.3.4.3), rounded
-// to nearest, ties to even. What is finite stays finite, and what is below 0 becomes 0.
+// to nearest, ties to even. What is finite stays finite, and what is below 0 becomes 0, as what is no number does.
 RHW_INLINE i32x8 ufloat_from_float(f32x8 value, int places)
 {
     const int dropped = 23 - places;
-    const i32x8 bits = (i32x8)value, infinity = i32x8_splat(31 << places);
-    // Add half of the last kept place less one, and that place's own bit, so that ties go to even.
-    const i32x8 rounded = (bits + i32x8_splat((1 << (dropped - 1)) - 1) + ((bits >> dropped) & 1)) >> dropped;
-    const i32x8 normal = rounded - ((127 - 15) << places);
-    // Below 2^-14 the last place stands for 2^-14 / 2^places. From 2^23 on floats have no fraction.
-    const float units = places == 6 ? 0x1p20f : 0x1p19f;
-    const i32x8 denormal = (i32x8)(value * units + 0x1p23f) & 0x7fffff;
-    i32x8 code = rhw_select_int(rhw_less(value, rhw_splat(0x1p-14f)), denormal, normal);
-    code = rhw_min_int(code, infinity - 1);
-    code = rhw_select_int(rhw_equal_int(bits, i32x8_splat(0x7f800000)), infinity, code);
-    code = rhw_select_int(rhw_less_equal(value, rhw_splat(0.0f)), i32x8_splat(0), code);
+    const f32x8 held = rhw_clamp(value, rhw_splat(0.0f), rhw_splat(65536.0f - (float)(1 << (15 - places))));
+    // A power of two that is larger by the dropped places rounds, when it is added, to the last place that is kept.
+    // Below 2^−14 that is the place of 2^−14.
+    const i32x8 exponent = rhw_max_int((i32x8)held & 0x7f800000, i32x8_splat((127 - 14) << 23));
+    const i32x8 power = exponent + i32x8_splat(dropped << 23);
+    const i32x8 kept =
+        (i32x8)(held + (f32x8)power) - power; // with the first place, which counts up the exponent
+    return kept + (exponent >> dropped) - i32x8_splat((127 - 14) << places);
+}
+
+// Return the code of a value that may be infinite or no number, where `code` is what ufloat_from_float says.
+RHW_INLINE i32x8 ufloat_special(f32x8 value, i32x8 code, int places)
+{
+    const i32x8 infinity = i32x8_splat(31 << places);
+    code = rhw_select_int(rhw_equal_int((i32x8)value, i32x8_splat(0x7f800000)), infinity, code);
     return rhw_select_int(rhw_equal(value, value), code, infinity | i32x8_splat(1 << (places - 1)));
 }
 
@@ -161,6 +165,24 @@ RHW_INLINE void encode_normalized(const struct rhw_format_info *format, const f3
     }
 }
 
+// Encode floats without a sign.
+RHW_INLINE void encode_ufloats(const struct rhw_format_info *format, const f32x8 *value, i32x8 word[4])
+{
+    i32x8 ordinary = i32x8_splat(-1);
+    for (int c = 0; c < format->channels; c++) {
+        ordinary = ordinary & rhw_less(value[c], rhw_infinity());
+    }
+    const bool is_special = rhw_any(~ordinary);
+    for (int c = 0; c < format->channels; c++) {
+        const int places = format->bits[c] - 5;
+        i32x8 code = ufloat_from_float(value[c], places);
+        if (is_special) {
+            code = ufloat_special(value[c], code, places);
+        }
+        word[0] = word[0] | (code << format->first[c]);
+    }
+}
+
 RHW_INLINE void encode_known_fields(const struct rhw_format_info *format, const f32x8 *value, i32x8 word[4])
 {
     word[0] = word[1] = i32x8_splat(0);
@@ -172,10 +194,13 @@ RHW_INLINE void encode_known_fields(const struct rhw_format_info *format, const 
         encode_normalized(format, value, word);
         return;
     }
+    if (format->type == RHW_CHANNEL_UFLOAT) {
+        encode_ufloats(format, value, word);
+        return;
+    }
     for (int c = 0; c < format->channels; c++) {
-        const int first = format->first[c], bits = format->bits[c];
-        const i32x8 code = format->type == RHW_CHANNEL_UFLOAT ? ufloat_from_float(value[c], bits - 5)
-                                                              : (i32x8)value[c] & (int32_t)((1u << bits) - 1);
+        const int first = format->first[c];
+        const i32x8 code = (i32x8)value[c] & (int32_t)((1u << format->bits[c]) - 1);
         word[first / 32] = word[first / 32] | (code << (first % 32));
     }
 }
