@@ -156,12 +156,12 @@ RHW_INLINE void encode_normalized(const struct rhw_format_info *format, const f3
         const int w = format->first[c] / 32, first = format->first[c] % 32, bits = format->bits[c];
         const uint32_t half = is_signed ? 1u << (bits - 1) : 0;
         const i32x8 steps = is_signed ? snorm_from_float(value[c], bits) : unorm_from_float(value[c], bits);
-        word[w] = word[w] + (steps << first);
+        word[w] = (i32x8)((u32x8)word[w] + ((u32x8)steps << first));
         besides[w] += ((uint32_t)shifted_bits - half) << first;
         high[w] |= half << first;
     }
     for (int w = 0; w < (format->size + 3) / 4; w++) {
-        word[w] = (word[w] - i32x8_splat((int32_t)besides[w])) ^ i32x8_splat((int32_t)high[w]);
+        word[w] = (i32x8)(((u32x8)word[w] - besides[w]) ^ high[w]);
     }
 }
 
