@@ -429,6 +429,44 @@ static inline rhw_float rhw_spirv_raised_bias(const struct rhw_binding *binding,
     return bias + rhw_select(is_below, rhw_max(least - lod[1], rhw_splat(0.0f)), rhw_splat(0.0f));
 }
 
+/// Put a binding into a table, or one that holds nothing where it is NULL.
+static inline void rhw_spirv_list(const struct rhw_binding *binding, struct rhw_binding *entry)
+{
+    memset(entry, 0, sizeof *entry);
+    if (binding) {
+        *entry = *binding;
+    }
+}
+
+/// Sample bindings of a table, whose bits `which` has, at the varyings `at` and `at` + 1 of all groups, with the
+/// derivatives of these: table[n] of group g into texels[g * stride + n].
+static inline void rhw_spirv_sample_groups(const struct rhw_binding *table, const struct rhw_fragment *groups,
+                                           int count, uint32_t which, int at, rhw_float (*texels)[4],
+                                           int stride)
+{
+    uint32_t plain = 0;
+    for (uint32_t todo = which; todo != 0; todo &= todo - 1) {
+        plain |= rhw_binding_sample_is_2d(&table[__builtin_ctz(todo)]) ? todo & -todo : 0;
+    }
+    if (plain != 0) {
+        rhw_binding_sample_groups(table, groups, count, plain, at, texels, stride);
+    }
+    for (uint32_t todo = which & ~plain; todo != 0; todo &= todo - 1) {
+        const int n = __builtin_ctz(todo);
+        for (int g = 0; g < count; g++) {
+            const rhw_float *const varying = &groups[g].varying[at], *const ddx = &groups[g].ddx[at],
+                                   *const ddy = &groups[g].ddy[at], zero = rhw_splat(0.0f);
+            const rhw_float coordinates[4] = {varying[0], varying[1], zero, zero};
+            const rhw_float gradient[6] = {ddx[0], ddx[1], ddy[0], ddy[1], zero, zero};
+            struct rhw_sample_request request;
+            memset(&request, 0, sizeof request);
+            request.coordinates = coordinates;
+            request.gradient = gradient;
+            rhw_binding_sample(&table[n], &request, texels[g * stride + n]);
+        }
+    }
+}
+
 /// Sample at a level of detail that is at least `least`.
 static inline void rhw_spirv_sample_above(const struct rhw_binding *binding,
                                           const struct rhw_sample_request *request, rhw_float least,

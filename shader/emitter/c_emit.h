@@ -3,6 +3,7 @@
 #ifndef SHADER_C_EMIT_H
 #define SHADER_C_EMIT_H
 
+#include "form/group_samples.h"
 #include "form/walk.h"
 #include "c_text.h"
 #include "emitter.h"
@@ -34,6 +35,9 @@ struct shader_emitter {
     uint32_t *loops;           // places of the LOOPs that are loops of C, from the outermost
     uint32_t loop_depth;
     bool *is_label_used; // by place of structure: something jumps to its end
+    bool has_batches;    // as many groups as GROUPS go through the code together
+    struct shader_group_sample samples[SHADER_MAX_GROUP_SAMPLES];
+    uint32_t sample_count;
     // Textures and samplers that are put together once a call.
     struct shader_c_pair *pairs;
     size_t pair_count, pair_room;
@@ -71,6 +75,15 @@ bool shader_c_is_one_binding(const struct shader_emitter *emitter, uint32_t buff
 
 // c_image.c. Write SAMPLE, PART or IMAGE_STORE. Return false where the node is none of these.
 bool shader_c_write_image(struct shader_emitter *emitter, uint32_t place);
+
+// c_group_samples.c. Find samples that are done for all groups before their code begins.
+void shader_c_find_group_samples(struct shader_emitter *emitter);
+// Write the table of their bindings, once a call, and room for their texels.
+void shader_c_list_group_samples(struct shader_emitter *emitter);
+// Write what samples for all groups that go through the code together.
+void shader_c_sample_groups(const struct shader_emitter *emitter, struct shader_text *out);
+// Write where a SAMPLE finds its texels. Return false where it has to wait for its group.
+bool shader_c_write_group_sample(struct shader_emitter *emitter, uint32_t value);
 
 // c_flow.c. Functions of struct shader_walk, for narrow structure.
 void shader_c_write_node(void *user, uint32_t place);

@@ -210,7 +210,11 @@ bool shader_c_write_image(struct shader_emitter *emitter, uint32_t place)
     const uint32_t value = emitter->form->code[place];
     const struct shader_node *const node = &emitter->form->nodes[value];
     switch ((enum shader_op)node->op) {
-    case SHADER_SAMPLE: write_sample(emitter, value); return true;
+    case SHADER_SAMPLE:
+        if (!shader_c_write_group_sample(emitter, value)) {
+            write_sample(emitter, value);
+        }
+        return true;
     case SHADER_PART:
         shader_c_define(emitter, value,
                         shader_format(emitter->memory, "texel%u[%u]", (unsigned)node->operands[0],

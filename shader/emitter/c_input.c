@@ -32,6 +32,9 @@ static void write_input(struct shader_emitter *emitter, uint32_t value)
     const unsigned slot = number % SHADER_IN_CENTROID;
     const int w = stage->is_linear[number] ? -1 : (int)stage->w_component;
     const char *text;
+    if (emitter->plan.uses[value] == 0) {
+        return; // samples for all groups read it
+    }
     switch ((enum shader_op)node->op) {
     case SHADER_INPUT:
         text =

@@ -19,9 +19,9 @@ static const struct groups_of groups_of[RHW_SHADER_STAGE_COUNT] = {
 void shader_c_open_groups(struct shader_emitter *emitter)
 {
     const struct groups_of *const groups = &groups_of[emitter->kind];
-    const bool has_cuts = emitter->plan.has_cuts;
-    shader_text_line(emitter->out, "for (int g = 0; g < %s; g++) {", has_cuts ? "groups_here" : "count");
-    shader_text_line(emitter->out, "%s[%s];", groups->group, has_cuts ? "first + g" : "g");
+    const bool has_cuts = emitter->plan.has_cuts, has_batches = emitter->has_batches;
+    shader_text_line(emitter->out, "for (int g = 0; g < %s; g++) {", has_batches ? "groups_here" : "count");
+    shader_text_line(emitter->out, "%s[%s];", groups->group, has_batches ? "first + g" : "g");
     const unsigned own = emitter->form->private_count;
     if (own > 0 && has_cuts) {
         shader_text_line(emitter->out, "rhw_int *const own = own_of[g];");
@@ -73,7 +73,7 @@ static void write_body(struct shader_emitter *emitter)
 {
     emitter->out = &emitter->body;
     emitter->mask = shader_c_new_mask(emitter);
-    emitter->body.depth = emitter->plan.has_cuts ? 2 : 1;
+    emitter->body.depth = emitter->has_batches ? 2 : 1;
     emitter->once.depth = emitter->arrays.depth = 1;
     if (emitter->plan.has_cuts) {
         begin_all(emitter);
@@ -82,6 +82,7 @@ static void write_body(struct shader_emitter *emitter)
     if (emitter->plan.has_cuts) {
         end_all(emitter);
     }
+    shader_c_list_group_samples(emitter);
 }
 
 static void add_text(struct shader_text *file, const struct shader_text *text)
@@ -114,14 +115,15 @@ static void write_function(const struct shader_emitter *emitter, struct shader_t
     }
     write_table(emitter, file);
     add_text(file, &emitter->once);
-    if (emitter->plan.has_cuts) {
+    if (emitter->has_batches) {
         shader_text_line(file, "enum { GROUPS = %u };", (unsigned)emitter->stage->batch);
         add_text(file, &emitter->arrays);
         shader_text_line(file, "for (int first = 0; first < count; first += GROUPS) {");
         shader_text_line(file, "const int groups_here = count - first < GROUPS ? count - first : GROUPS;");
+        shader_c_sample_groups(emitter, file);
     }
     add_text(file, &emitter->body);
-    if (emitter->plan.has_cuts) {
+    if (emitter->has_batches) {
         shader_text_line(file, "}");
     }
     shader_text_line(file, "}");
@@ -146,6 +148,8 @@ void shader_c_write_stage(struct shader_memory *memory, const struct shader_c_pr
                                      .is_label_used =
                                          shader_take(memory, form->code_count + 1, sizeof(bool))};
     shader_make_plan(memory, form, false, &emitter.plan);
+    shader_c_find_group_samples(&emitter);
+    emitter.has_batches = emitter.plan.has_cuts || emitter.sample_count > 0;
     write_body(&emitter);
     write_function(&emitter, file);
 }

@@ -378,44 +378,16 @@ static rhw_float call_FETCH_PLANE(const struct shader_found_plane *found, rhw_in
 // Put what all lanes name into a table.
 static void call_LIST(const struct shader_found *found, struct rhw_binding *entry)
 {
-    memset(entry, 0, sizeof *entry);
-    if (found->binding) {
-        *entry = *found->binding;
-    }
-}
-
-// Sample a texture at two varyings of a group, as a shader does that knows of no more coordinates.
-static void sample_at(const struct rhw_binding *binding, const struct rhw_fragment *group, uint32_t at,
-                      rhw_float texel[4])
-{
-    const rhw_float zero = rhw_splat(0.0f);
-    const rhw_float coordinates[4] = {group->varying[at], group->varying[at + 1], zero, zero};
-    const rhw_float gradient[6] = {
-        group->ddx[at], group->ddx[at + 1], group->ddy[at], group->ddy[at + 1], zero, zero};
-    const struct rhw_sample_request request = {.coordinates = coordinates, .gradient = gradient};
-    rhw_binding_sample(binding, &request, texel);
+    rhw_spirv_list(found->binding, entry);
 }
 
 // Sample the bindings of a table whose bits `which` has, at two varyings of each group. Texels begin each record.
 static void call_SAMPLE_GROUPS(const struct shader_together *together, const struct rhw_binding *table,
                                uint32_t which, uint32_t at)
 {
-    const struct rhw_fragment *const groups = together->groups;
     rhw_float(*const texels)[4] = together->records;
-    const int count = (int)together->here, stride = (int)(together->record_size / sizeof *texels);
-    uint32_t plain = 0;
-    for (uint32_t todo = which; todo != 0; todo &= todo - 1) {
-        plain |= rhw_binding_sample_is_2d(&table[__builtin_ctz(todo)]) ? todo & -todo : 0;
-    }
-    if (plain != 0) {
-        rhw_binding_sample_groups(table, groups, count, plain, (int)at, texels, stride);
-    }
-    for (uint32_t todo = which & ~plain; todo != 0; todo &= todo - 1) {
-        for (int g = 0; g < count; g++) {
-            const int n = __builtin_ctz(todo);
-            sample_at(&table[n], &groups[g], at, texels[g * stride + n]);
-        }
-    }
+    rhw_spirv_sample_groups(table, together->groups, (int)together->here, which, (int)at, texels,
+                            (int)(together->record_size / sizeof *texels));
 }
 
 static void call_IMAGE_STORE(const struct rhw_shader_frame *frame, const struct shader_site *site,

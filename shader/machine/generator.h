@@ -13,15 +13,9 @@
 #include "calls.h"
 #include "encoder.h"
 #include "form/walk.h"
-#include "form/linked_stage.h"
+#include "form/group_samples.h"
 
-enum {
-    VECTOR = 32,
-    REGISTERS = 16,
-    NO_COMPONENT = 0xff,
-    SHADER_MAX_GROUP_SAMPLES = 16,
-    SHADER_ROUNDS_A_QUESTION = 256
-};
+enum { VECTOR = 32, REGISTERS = 16, NO_COMPONENT = 0xff, SHADER_ROUNDS_A_QUESTION = 256 };
 
 // What lies at rsp.
 struct shader_machine_frame {
@@ -68,12 +62,6 @@ struct shader_edge {
     uint32_t label;
     bool is_used;
     uint32_t holds[REGISTERS];
-};
-
-// A SAMPLE that is done for all groups before their code begins.
-struct shader_group_sample {
-    uint32_t value;
-    uint32_t at; // number of its first coordinate among the varyings
 };
 
 struct shader_generator {
@@ -263,7 +251,7 @@ struct shader_argument shader_one_image(struct shader_generator *g, uint32_t tex
 // group_samples.c ------------------------------------------------------------------------------------
 
 // Find samples that are done for all groups, and give them places in the records.
-void shader_find_group_samples(struct shader_generator *g);
+void shader_take_group_samples(struct shader_generator *g);
 // Put their bindings into a table, once a call.
 void shader_list_group_samples(struct shader_generator *g);
 // Sample for all groups that go through the code together.

@@ -172,7 +172,7 @@ static void generate_batches(struct shader_generator *g)
 static void generate_body(struct shader_generator *g)
 {
     const uint32_t own = g->form->private_count * VECTOR;
-    shader_find_group_samples(g);
+    shader_take_group_samples(g);
     g->has_records = g->plan.has_cuts || g->sample_count > 0;
     g->own = g->plan.has_cuts ? shader_take_record(g, own) : shader_take_frame(g, own);
     generate_once(g);
