@@ -429,6 +429,33 @@ static inline rhw_float rhw_spirv_raised_bias(const struct rhw_binding *binding,
     return bias + rhw_select(is_below, rhw_max(least - lod[1], rhw_splat(0.0f)), rhw_splat(0.0f));
 }
 
+/// Return the first component of what rhw_binding_sample_fetch gives of a plane. Numbers outside of it pick no texel.
+static inline rhw_float rhw_spirv_fetch_first(const struct rhw_texel_plane *plane, rhw_int x, rhw_int y)
+{
+    const rhw_int inside = rhw_spirv_less_uint(x, rhw_splat_int(plane->width)) &
+                           rhw_spirv_less_uint(y, rhw_splat_int(plane->height));
+    const rhw_int number = (rhw_int)((rhw_uint)y * (uint32_t)plane->pitch + (rhw_uint)x);
+#if defined(__AVX2__)
+    return (rhw_float)_mm256_mask_i32gather_ps(_mm256_setzero_ps(), plane->texels, (__m256i)number,
+                                               (__m256)inside, 4);
+#else
+    return rhw_gather(plane->texels, plane->pitch * plane->height, number | ~inside);
+#endif
+}
+
+/// Fetch from level 0 of a 2D texture, which lies in a plane if that has texels.
+static inline void rhw_spirv_fetch(const struct rhw_binding *binding, const struct rhw_texel_plane *plane,
+                                   const rhw_int at[4], rhw_float texel[4])
+{
+    if (plane->texels) {
+        texel[0] = rhw_spirv_fetch_first(plane, at[0], at[1]);
+        texel[1] = texel[2] = rhw_splat(0.0f);
+        texel[3] = rhw_splat(1.0f);
+    } else {
+        rhw_binding_sample_fetch(binding, at, (const rhw_int *)0, texel);
+    }
+}
+
 /// Put a binding into a table, or one that holds nothing where it is NULL.
 static inline void rhw_spirv_list(const struct rhw_binding *binding, struct rhw_binding *entry)
 {

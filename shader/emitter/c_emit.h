@@ -9,7 +9,7 @@
 #include "emitter.h"
 
 struct shader_c_pair {
-    uint32_t texture, sampler; // BUFFER nodes
+    uint32_t texture, sampler; // BUFFER nodes; without a sampler a plane is found
 };
 
 struct shader_emitter {
@@ -68,6 +68,8 @@ bool shader_c_write_access(struct shader_emitter *emitter, uint32_t place);
 const char *shader_c_begin_bindings(struct shader_emitter *emitter, uint32_t texture, uint32_t sampler,
                                     const char **lanes);
 void shader_c_end_bindings(struct shader_emitter *emitter, uint32_t texture, uint32_t sampler);
+// Return the name of the plane that a texture lies in, which all lanes name. It is found once a call.
+const char *shader_c_plane(struct shader_emitter *emitter, uint32_t texture);
 // Return the BUFFER, PUSH or WORKGROUP that a value is, or the home that keeps an element that lanes name.
 uint32_t shader_c_resource(const struct shader_emitter *emitter, uint32_t value);
 // Return true if a BUFFER is one binding for all lanes of a call.

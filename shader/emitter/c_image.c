@@ -172,6 +172,12 @@ static void write_sample(struct shader_emitter *emitter, uint32_t value)
     const char *const texels = shader_format(emitter->memory, "texel%u", (unsigned)value);
     const char *lanes;
     write_request(emitter, &request);
+    if (is_one && request.flags == (SHADER_DO_FETCH | 2 << SHADER_IMAGE_SPATIAL_SHIFT)) {
+        shader_text_line(emitter->out, "rhw_float %s[4];", texels);
+        shader_text_line(emitter->out, "rhw_spirv_fetch(binding%u, &%s, at%u, %s);", (unsigned)texture,
+                         shader_c_plane(emitter, texture), (unsigned)value, texels);
+        return;
+    }
     shader_text_line(emitter->out, "rhw_float %s[4]%s;", texels,
                      is_one ? "" : " = {rhw_splat(0.0f), rhw_splat(0.0f), rhw_splat(0.0f), rhw_splat(0.0f)}");
     const char *const binding = shader_c_begin_bindings(emitter, texture, sampler, &lanes);

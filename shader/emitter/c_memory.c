@@ -70,14 +70,12 @@ static void write_shared(struct shader_emitter *emitter, uint32_t buffer)
                      number);
 }
 
-// Return the name of a texture with a sampler. They are put together once a call.
-static const char *pair_of(struct shader_emitter *emitter, uint32_t texture, uint32_t sampler)
+// Return true if a texture with a sampler, or with SHADER_NONE, is met for the first time.
+static bool is_new_pair(struct shader_emitter *emitter, uint32_t texture, uint32_t sampler)
 {
-    const char *const name =
-        shader_format(emitter->memory, "pair%u_%u", (unsigned)texture, (unsigned)sampler);
     for (size_t p = 0; p < emitter->pair_count; p++) {
         if (emitter->pairs[p].texture == texture && emitter->pairs[p].sampler == sampler) {
-            return name;
+            return false;
         }
     }
     if (emitter->pair_count == emitter->pair_room) {
@@ -85,12 +83,33 @@ static const char *pair_of(struct shader_emitter *emitter, uint32_t texture, uin
             shader_grow(emitter->memory, emitter->pairs, &emitter->pair_room, sizeof *emitter->pairs);
     }
     emitter->pairs[emitter->pair_count++] = (struct shader_c_pair){texture, sampler};
-    shader_text_line(&emitter->once, "struct rhw_binding memory_of_%s;", name);
-    shader_text_line(
-        &emitter->once,
-        "const struct rhw_binding *const %s = rhw_spirv_pair(binding%u, binding%u, &memory_of_%s);", name,
-        (unsigned)texture, (unsigned)sampler, name);
+    return true;
+}
+
+// Return the name of a texture with a sampler. They are put together once a call.
+static const char *pair_of(struct shader_emitter *emitter, uint32_t texture, uint32_t sampler)
+{
+    const char *const name =
+        shader_format(emitter->memory, "pair%u_%u", (unsigned)texture, (unsigned)sampler);
+    if (is_new_pair(emitter, texture, sampler)) {
+        shader_text_line(&emitter->once, "struct rhw_binding memory_of_%s;", name);
+        shader_text_line(
+            &emitter->once,
+            "const struct rhw_binding *const %s = rhw_spirv_pair(binding%u, binding%u, &memory_of_%s);", name,
+            (unsigned)texture, (unsigned)sampler, name);
+    }
     return name;
+}
+
+const char *shader_c_plane(struct shader_emitter *emitter, uint32_t texture)
+{
+    const unsigned number = texture;
+    if (is_new_pair(emitter, texture, SHADER_NONE)) {
+        shader_text_line(&emitter->once,
+                         "const struct rhw_texel_plane plane%u = rhw_binding_sample_plane(binding%u);",
+                         number, number);
+    }
+    return shader_format(emitter->memory, "plane%u", number);
 }
 
 const char *shader_c_begin_bindings(struct shader_emitter *emitter, uint32_t texture, uint32_t sampler,

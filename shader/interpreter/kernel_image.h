@@ -3,7 +3,6 @@
 #ifndef SHADER_KERNEL_IMAGE_H
 #define SHADER_KERNEL_IMAGE_H
 
-#include "form/texel_plane.h"
 #include "kernel_memory.h"
 #include "rhw/shader_spirv.h"
 
@@ -205,7 +204,7 @@ static void fetch_groups(struct frame *frame, const struct shader_operand_of *op
     const struct rhw_texel_plane plane = rhw_binding_sample_plane(binding);
     for (ptrdiff_t g = frame->range.first; g < frame->range.end && plane.texels; g++) {
         rhw_float *const texel = frame->texels[g];
-        texel[0] = shader_fetch_texel(&plane, from[0][g * steps[0]].i, from[1][g * steps[1]].i);
+        texel[0] = rhw_spirv_fetch_first(&plane, from[0][g * steps[0]].i, from[1][g * steps[1]].i);
         texel[1] = texel[2] = rhw_splat(0.0f);
         texel[3] = rhw_splat(1.0f);
     }

@@ -3,8 +3,8 @@
 #include "binding/binding.h"
 #include "bound_things.h"
 #include "context/context.h"
-#include "form/texel_plane.h"
 #include "format/format.h"
+#include "rhw/shader_spirv.h"
 
 // Sampling ---------------------------------------------------------------------------------------------
 
@@ -203,7 +203,7 @@ static void expect_plane(const struct rig *rig, rhw_texture texture, bool is_pla
         const rhw_int at[4] = {columns, rhw_splat_int(rows[i])};
         rhw_float texel[4];
         rhw_binding_sample_fetch(&bound, at, NULL, texel);
-        const rhw_float fetched = shader_fetch_texel(&plane, at[0], at[1]);
+        const rhw_float fetched = rhw_spirv_fetch_first(&plane, at[0], at[1]);
         assert_memory_equal(&fetched, &texel[0], sizeof fetched);
     }
 }
