@@ -163,7 +163,7 @@ static const char *index_text(struct shader_emitter *emitter, uint32_t offset, u
                              (unsigned)((bits + more) >> 2));
     }
     return shader_format(emitter->memory,
-                         is_alike ? "(uint32_t)rhw_spirv_index(%s, %u)[0]" : "rhw_spirv_index(%s, %u)",
+                         is_alike ? "((uint32_t)%s[0] + %u) >> 2" : "rhw_spirv_index(%s, %u)",
                          shader_c_argument(emitter, offset, false), (unsigned)more);
 }
 
