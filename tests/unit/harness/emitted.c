@@ -129,7 +129,8 @@ enum rhw_result emitted_program_create(const struct rhw_shader_program_def *def,
     while (row->hashes[0] != 0 && (row->hashes[0] != first || row->hashes[1] != second)) {
         row++;
     }
-    add_known(*program, 0, row->hashes[0] != 0 && !def->layout ? row : NULL);
+    const bool is_c = row->hashes[0] != 0 && !def->layout && !def->is_interpreted;
+    add_known(*program, 0, is_c ? row : NULL);
     return result;
 }
 

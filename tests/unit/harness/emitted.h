@@ -2,7 +2,8 @@
 // Tests of translated shaders draw with the interpreter or, where the environment has RHW_TEST_BACK_END=c, with C that
 // was written of the same modules when the tests were built. For that the build gives these functions, by macros, to
 // those who call rhw_shader_create, rhw_shader_program_create, _get and _get_compute. What was not written draws with the interpreter: modules
-// that no text of the folder glsl gives, and shaders with constants or a layout of the test's own.
+// that no text of the folder glsl gives, shaders with constants or a layout of the test's own, and what is asked to be
+// interpreted.
 #ifndef TEST_EMITTED_H
 #define TEST_EMITTED_H
 
