@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Samples of several textures at coordinates that are inputs, which machine code may do for all groups at once, give
+// Samples of several textures at coordinates that are inputs, which machine code and C may do for all groups at once, give
 // what the interpreter gives, whatever is bound.
 #include "../binding/bound_things.h"
 #include "spirv_run.h"
