@@ -47,18 +47,17 @@ static double find_room(const struct scene_model *model, const double eye[3])
 
 struct scene_headlamp scene_headlamp_find(const struct scene_model *model, const struct scene_camera *camera)
 {
-    struct scene_headlamp headlamp = {.is_carried = model->camera_count > 0};
+    struct scene_headlamp headlamp = {.is_carried = false};
     for (int c = 0; c < 3; c++) {
         headlamp.bearer[c] = camera->eye[c];
         headlamp.onward[c] = camera->target[c] - camera->eye[c];
     }
     normalize(headlamp.onward);
-    for (uint32_t i = model->camera_count; i-- > 0;) { // the first one last, which is kept
-        find_camera(&model->cameras[i], headlamp.eye, headlamp.forward);
+    if (model->camera_count > 0) {
+        find_camera(&model->cameras[0], headlamp.eye, headlamp.forward);
         headlamp.room = find_room(model, headlamp.eye);
-        headlamp.is_carried =
-            headlamp.is_carried && !(distance_between(headlamp.eye, headlamp.bearer) <= headlamp.room &&
-                                     scene_dot(headlamp.forward, headlamp.onward) >= same_way);
+        headlamp.is_carried = !(distance_between(headlamp.eye, headlamp.bearer) <= headlamp.room &&
+                                scene_dot(headlamp.forward, headlamp.onward) >= same_way);
     }
     return headlamp;
 }

@@ -9,7 +9,7 @@
 
 /// Who carries the headlamps of the file's first camera.
 struct scene_headlamp {
-    bool is_carried;           ///< the picture is not taken by a camera of the file
+    bool is_carried; ///< the picture is taken by another camera than the file's first
     double eye[3], forward[3]; ///< the file's first camera: where it stands, and where it looks, of length 1
     double bearer[3], onward[3]; ///< place and direction of the camera that takes the picture
     double room;                 ///< what is no farther from a camera stands in it
