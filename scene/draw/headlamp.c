@@ -78,6 +78,7 @@ struct scene_model_light scene_headlamp_carry(const struct scene_headlamp *headl
             carried.position[c] = (float)headlamp->bearer[c];
             carried.direction[c] = (float)headlamp->onward[c];
         }
+        carried.range = 0.0f; // it was chosen for another distance
     }
     return carried;
 }

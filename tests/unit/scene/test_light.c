@@ -343,6 +343,7 @@ static void test_headlamps_are_carried(void **state)
                                              .position = {cases[k].x, 0, 0},
                                              .color = {1, 1, 1},
                                              .intensity = 5,
+                                             .range = 8,
                                              .inner_cos = 0.95f,
                                              .outer_cos = 0.8f};
         memcpy(t.light.direction, cases[k].direction, sizeof t.light.direction);
@@ -361,6 +362,7 @@ static void test_headlamps_are_carried(void **state)
             tiny_assert_close((double)lighting.lights[0].position[c], place, 1e-6);
             tiny_assert_close((double)(sign * lighting.lights[0].direction[c]), way, 1e-6);
         }
+        tiny_assert_close((double)lighting.lights[0].inverse_range, is_carried ? 0 : 1.0 / 8, 1e-6);
         if (is_carried && cases[k].type == SCENE_LIGHT_POINT) { // it lights the middle from there
             const double distance = camera.eye[2], light = (double)lighting.lights[0].color[1];
             tiny_assert_close(light / (distance * distance), 0.9 * pi, 1e-4);
