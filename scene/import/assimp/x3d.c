@@ -152,7 +152,9 @@ static char *write_tags(struct scene_import *import, char *source, size_t *size)
     char *const text =
         scene_assimp_repeat_groups(import, scene_assimp_hide_proxies(import, source, size), size);
     struct scene_edits edits = {0};
-    struct scene_x3d_quads quads = {0};
+    // Many sets that use one list of points would each have indices of all of it.
+    const size_t room = (size_t)1 << 23, per_byte = 8;
+    struct scene_x3d_quads quads = {.largest = room + per_byte * *size};
     char *close;
     for (char *tag = strchr(text, '<'); tag != NULL; tag = strchr(close, '<')) {
         close = scene_collada_markup_end(tag, text + *size);

@@ -38,13 +38,20 @@ static size_t count_numbers(struct scene_collada_value value)
     return count;
 }
 
+// A number of 64 bits has 20 digits, and a blank behind it.
+enum { LONGEST = 21 };
+
+// Return how many bytes the indices of a set have at most.
+static size_t most_written(struct scene_collada_value index, size_t count)
+{
+    return (index.text != NULL ? 2 * index.length : LONGEST * count) + count;
+}
+
 // Return the name of a face set with the indices of quads: those that are given, or each number once.
 static char *write_faces(struct scene_import *import, struct scene_collada_value index, size_t count)
 {
     static const char head[] = FACES " coordIndex='";
-    const size_t longest = 21; // a number of 64 bits has 20 digits, and a blank behind it
-    const size_t room = index.text != NULL ? 2 * index.length : count * longest;
-    char *const text = scene_import_allocate(import, sizeof head + room + count + 2, 1);
+    char *const text = scene_import_allocate(import, sizeof head + most_written(index, count) + 2, 1);
     const char *const end = index.text == NULL ? NULL : index.text + index.length, *number_end = index.text;
     char *out = text + snprintf(text, sizeof head, "%s", head);
     for (size_t i = 0; i < count - count % 4; i++) {
@@ -53,7 +60,7 @@ static char *write_faces(struct scene_import *import, struct scene_collada_value
             memcpy(out, number, (size_t)(number_end - number));
             out += number_end - number;
         } else {
-            out += snprintf(out, longest, "%zu", i);
+            out += snprintf(out, LONGEST, "%zu", i);
         }
         memcpy(out, i % 4 == 3 ? " -1 " : " ", i % 4 == 3 ? 4 : 1);
         out += i % 4 == 3 ? 4 : 1;
@@ -132,7 +139,8 @@ static char *write_start(struct scene_import *import, struct scene_x3d_quads *qu
     const size_t count = !has_index           ? count_points(quads, close, end)
                          : index.text == NULL ? 0
                                               : count_numbers(index);
-    if (count < 4) {
+    if (count < 4 || quads->written > quads->largest ||
+        most_written(index, count) > quads->largest - quads->written) {
         return NULL;
     }
     add_name(import, quads, scene_collada_attribute(tag, close, "DEF"), 0);
@@ -168,6 +176,7 @@ bool scene_assimp_write_quads(struct scene_import *import, struct scene_edits *e
     if (written == NULL) {
         scene_import_unsupported(import, "quads: not drawn");
     } else {
+        quads->written += strlen(written);
         scene_edits_add(import, edits,
                         (struct scene_edit){at, strlen(names[which]), written, strlen(written)});
     }

@@ -13,9 +13,10 @@ struct scene_x3d_name {
     size_t points; ///< how many a list of points has; 0 is that of a set that was written
 };
 
-/// What is kept between the tags of a document. A zeroed struct is that of its beginning.
+/// What is kept between the tags of a document. At its beginning all but `largest` is zero.
 struct scene_x3d_quads {
-    bool is_open; ///< the last set was written, and not its end
+    size_t written, largest; ///< bytes of all sets that were written, and how many they may be
+    bool is_open;            ///< the last set was written, and not its end
     struct scene_x3d_name *names;
     size_t count, capacity;
     struct scene_hash_table places;

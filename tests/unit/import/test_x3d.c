@@ -217,11 +217,37 @@ static void test_quads(void **state)
     scene_model_free(model);
 }
 
+// Quads that use one list of points are drawn as long as what is written for them stays of a bounded size.
+static void test_quads_of_the_same_points(void **state)
+{
+    (void)state;
+    enum { QUADS_EACH = 2000, USES = 300, LONGEST = 80 };
+    static const char quad[] = "0 0 0 1 0 0 1 1 0 0 1 0 ";
+    static char text[QUADS_EACH * sizeof quad + USES * LONGEST + 4096];
+    strcpy(text, "<X3D><Scene><Shape><QuadSet><Coordinate DEF='c' point='");
+    char *out = text + strlen(text);
+    for (int i = 0; i < QUADS_EACH; i++) {
+        out += sprintf(out, "%s", quad);
+    }
+    out += sprintf(out, "'/></QuadSet></Shape>");
+    for (int i = 1; i < USES; i++) {
+        out += sprintf(out, "<Shape><QuadSet><Coordinate USE='c'/></QuadSet></Shape>");
+    }
+    strcpy(out, "</Scene></X3D>");
+    struct scene_model *const model = load_text("s.x3d", text);
+    assert_true(is_unsupported(model, "quads: not drawn"));
+    const uint64_t sets = model->triangles_drawn / (2 * QUADS_EACH);
+    assert_int_equal(model->triangles_drawn, sets * 2 * QUADS_EACH);
+    assert_true(sets > 100 && sets < 250);
+    scene_model_free(model);
+}
+
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_addresses),
     cmocka_unit_test(test_nodes),
     cmocka_unit_test(test_groups_within_groups),
     cmocka_unit_test(test_quads),
+    cmocka_unit_test(test_quads_of_the_same_points),
 };
 
 const struct unit_tests test_x3d = UNIT_TESTS(tests, make_directory, remove_directory);
