@@ -114,13 +114,14 @@ static bool write_metadata(struct scene_import *import, struct scene_edits *edit
     return true;
 }
 
-// Return true if an element that begins with a tag has another one within it.
+// Return true if an element that begins with a tag has another one within it. One of its own kind ends it, so that many
+// in each other are not looked through again and again.
 static bool holds(const char *tag, char *close, const char *end, const char *name)
 {
     const size_t length = strcspn(tag + 1, " \t\r\n/>");
     while (close != NULL && close[-1] != '/') {
         char *const next = strchr(close, '<');
-        if (next == NULL || (next[1] == '/' && strncmp(next + 2, tag + 1, length) == 0)) {
+        if (next == NULL || strncmp(next + 1 + (next[1] == '/'), tag + 1, length) == 0) {
             return false;
         }
         if (scene_collada_is_tag(next, name)) {

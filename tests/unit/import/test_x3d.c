@@ -129,6 +129,19 @@ static void test_nodes(void **state)
     }
 }
 
+// Faces end at others, so that no file makes the search for their normals long.
+static void test_faces_within_faces(void **state)
+{
+    (void)state;
+    struct scene_model *const model = load_text(
+        "f.x3d",
+        "<X3D><Scene><Shape><IndexedFaceSet creaseAngle='0.5' coordIndex='0 1 2 -1'><IndexedFaceSet>"
+        "<Normal vector='0 0 1 0 0 1 0 0 1'/></IndexedFaceSet><Coordinate point='0 0 0 1 0 0 0 1 0'/>"
+        "</IndexedFaceSet></Shape></Scene></X3D>");
+    assert_true(is_unsupported(model, "crease angles (X3D): not used"));
+    scene_model_free(model);
+}
+
 // Groups of two uses each, in each other, are repeated as long as the file stays of a bounded size.
 static void test_groups_within_groups(void **state)
 {
@@ -245,6 +258,7 @@ static void test_quads_of_the_same_points(void **state)
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_addresses),
     cmocka_unit_test(test_nodes),
+    cmocka_unit_test(test_faces_within_faces),
     cmocka_unit_test(test_groups_within_groups),
     cmocka_unit_test(test_quads),
     cmocka_unit_test(test_quads_of_the_same_points),
