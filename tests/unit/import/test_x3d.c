@@ -161,6 +161,31 @@ static void test_groups_within_groups(void **state)
     scene_model_free(model);
 }
 
+// A light with a name is in every place where its group is used.
+static void test_lights_that_are_used_again(void **state)
+{
+    (void)state;
+    static const char *const lights[] = {"DirectionalLight", "PointLight", "SpotLight"};
+    for (size_t i = 0; i < sizeof lights / sizeof lights[0]; i++) {
+        write_format("l.x3d",
+                     "<X3D><Scene>%s<Group DEF='g'><%s DEF='l'/><Group DEF='h'/></Group><Transform "
+                     "translation='5 0 0'><Group USE='g'/></Transform><Transform translation='0 3 0'>"
+                     "<Group USE='g'/></Transform></Scene></X3D>",
+                     SHAPE(""), lights[i]);
+        struct scene_model *const model = load("l.x3d");
+        assert_int_equal(model->light_count, 3);
+        assert_int_equal(model->unsupported_count + model->warning_count, 0);
+        float sum[3] = {0};
+        for (uint32_t k = 0; k < model->light_count; k++) {
+            for (int c = 0; c < 3; c++) {
+                sum[c] += model->lights[k].position[c];
+            }
+        }
+        assert_floats(sum, (const float[]){5, 3, 0}, 3, 1e-6f);
+        scene_model_free(model);
+    }
+}
+
 #define QUADS "<Coordinate point='0 0 0 1 0 0, 1 1 0 0 1 0 2 0 0 3 0 0 3 1 0 2 1 0'/>"
 
 // Quads, with indices and without, are drawn with what belongs to their corners, and where they are used again. A
@@ -260,6 +285,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_nodes),
     cmocka_unit_test(test_faces_within_faces),
     cmocka_unit_test(test_groups_within_groups),
+    cmocka_unit_test(test_lights_that_are_used_again),
     cmocka_unit_test(test_quads),
     cmocka_unit_test(test_quads_of_the_same_points),
 };
