@@ -6,6 +6,7 @@
 #include "assimp.h"
 #include "collada_markup.h"
 #include "edits.h"
+#include "import/builder/decimal.h"
 #include "import/builder/find_file.h"
 #include "x3d_groups.h"
 #include "x3d_quads.h"
@@ -135,14 +136,48 @@ static bool holds(const char *tag, char *close, const char *end, const char *nam
     return false;
 }
 
+// A switch that shows nothing.
+struct hidden {
+    size_t open;   // the elements that are open, from the switch on; 0 outside
+    bool is_named; // something in it has a name, by which it may be used where it is seen
+};
+
+static bool has_text(struct scene_collada_value value, const char *text)
+{
+    return value.text != NULL && value.length == strlen(text) && memcmp(value.text, text, value.length) == 0;
+}
+
+// Pass a tag in a switch that shows nothing, or the first one of it.
+static void pass_hidden(struct hidden *hidden, char *tag, char *close)
+{
+    const bool is_end = tag[1] == '/', is_empty = close[-1] == '/';
+    if (tag[1] == '!' || tag[1] == '?') {
+        return;
+    }
+    if (hidden->open > 0) {
+        hidden->is_named = hidden->is_named || scene_collada_attribute(tag, close, "DEF").text != NULL;
+        hidden->open += is_end ? (size_t)-1 : !is_empty;
+    } else if (!is_empty && scene_collada_is_tag(tag, "Switch") &&
+               has_text(scene_collada_attribute(tag, close, "whichChoice"), "-1")) {
+        *hidden = (struct hidden){.open = 1};
+    }
+}
+
+static bool is_zero(struct scene_collada_value value)
+{
+    double number = 1.0;
+    return scene_decimal_read(value.text, value.text + value.length, &number) != NULL && number == 0.0;
+}
+
 // Tell of an angle up to which a surface without normals is to be smooth, as assimp does not say it.
 static void tell_crease_angle(struct scene_import *import, char *tag, char *close, const char *end)
 {
     static const char *const surfaces[] = {"IndexedFaceSet", "ElevationGrid", "Extrusion"};
     for (size_t i = 0; i < sizeof surfaces / sizeof surfaces[0]; i++) {
-        if (scene_collada_is_tag(tag, surfaces[i]) &&
-            scene_collada_attribute(tag, close, "creaseAngle").text != NULL &&
-            !holds(tag, close, end, "Normal")) {
+        const struct scene_collada_value angle = scene_collada_is_tag(tag, surfaces[i])
+                                                     ? scene_collada_attribute(tag, close, "creaseAngle")
+                                                     : (struct scene_collada_value){NULL, 0};
+        if (angle.text != NULL && !is_zero(angle) && !holds(tag, close, end, "Normal")) {
             scene_import_unsupported(import, "crease angles (X3D): not used");
         }
     }
@@ -156,19 +191,23 @@ static char *write_tags(struct scene_import *import, char *source, size_t *size)
     // Many sets that use one list of points would each have indices of all of it.
     const size_t room = (size_t)1 << 23, per_byte = 8;
     struct scene_x3d_quads quads = {.largest = room + per_byte * *size};
+    struct hidden hidden = {0};
     char *close;
     for (char *tag = strchr(text, '<'); tag != NULL; tag = strchr(close, '<')) {
         close = scene_collada_markup_end(tag, text + *size);
         if (close == NULL) {
             break;
         }
+        pass_hidden(&hidden, tag, close);
         if (strncmp(tag, "<!---->", 7) == 0) { // a comment that assimp takes for a node
             scene_edits_add_string(import, &edits, (size_t)(tag + 4 - text), 0, SCENE_X3D_FILLER);
         } else if (!write_metadata(import, &edits, text, tag, close) &&
                    !scene_assimp_write_quads(import, &edits, &quads, text, tag, close, text + *size) &&
                    !scene_assimp_write_group(import, &edits, text, tag, close)) {
             write_address(import, &edits, text, tag, close);
-            tell_crease_angle(import, tag, close, text + *size);
+            if (hidden.open == 0 || hidden.is_named) {
+                tell_crease_angle(import, tag, close, text + *size);
+            }
         }
     }
     scene_assimp_free_quads(&quads);

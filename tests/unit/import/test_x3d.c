@@ -92,6 +92,23 @@ static void test_nodes(void **state)
          "0'/>"
          "<Normal vector='0 0 1 0 0 1 0 0 1'/></IndexedFaceSet></Shape>",
          2, NULL},
+        {"<Shape><IndexedFaceSet creaseAngle='0.0' coordIndex='0 1 2 -1'><Coordinate point='0 0 0 1 0 0 0 1 "
+         "0'/>"
+         "</IndexedFaceSet></Shape>",
+         2, NULL},
+        {"<Switch whichChoice='-1'><Shape><Appearance/><!-- --><IndexedFaceSet creaseAngle='0.5' "
+         "coordIndex='0 1 2 -1'>"
+         "<Coordinate point='0 0 0 1 0 0 0 1 0'/></IndexedFaceSet></Shape></Switch>",
+         1, NULL},
+        {"<Switch whichChoice='-1'><Group/>" SHAPE(
+             "") "</Switch>"
+                 "<Shape><IndexedFaceSet creaseAngle='0.5' coordIndex='0 1 2 -1'><Coordinate point='0 0 0 1 "
+                 "0 0 0 1 0'/>"
+                 "</IndexedFaceSet></Shape>",
+         2, "crease angles (X3D): not used"},
+        {"<Switch whichChoice='-1'><Shape DEF='s'><IndexedFaceSet creaseAngle='0.5' coordIndex='0 1 2 -1'>"
+         "<Coordinate point='0 0 0 1 0 0 0 1 0'/></IndexedFaceSet></Shape></Switch><Shape USE='s'/>",
+         2, "crease angles (X3D): not used"},
         {"<Collision><Shape containerField='proxy'><Sphere/></Shape>" SHAPE("") "</Collision>", 2, NULL},
         {"<Collision><Group containerField='proxy'><Group containerField='proxy'>" SHAPE(
              "") "</Group></Group>" SHAPE("") "</Collision><Group containerField='children'>" SHAPE("") "</"
