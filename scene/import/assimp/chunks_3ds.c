@@ -36,20 +36,24 @@ bool scene_3ds_next(struct scene_3ds_chunks *chunks, struct scene_3ds_chunk *chu
 // Return true if a chunk holds others. Leave these alone in its content.
 static bool find_inner(struct scene_3ds_chunk *chunk)
 {
-    static const size_t holders[] = {SCENE_3DS_FILE, SCENE_3DS_EDITOR, SCENE_3DS_OBJECT,   SCENE_3DS_MESH,
-                                     SCENE_3DS_KEYS, SCENE_3DS_NODE,   SCENE_3DS_MATERIAL, SCENE_3DS_FACES};
-    enum { FACE = 8 };
+    static const size_t holders[] = {
+        SCENE_3DS_FILE,          SCENE_3DS_EDITOR,       SCENE_3DS_OBJECT,         SCENE_3DS_MESH,
+        SCENE_3DS_KEYS,          SCENE_3DS_NODE,         SCENE_3DS_MATERIAL,       SCENE_3DS_TEXTURE,
+        SCENE_3DS_SPECULAR_MAP,  SCENE_3DS_OPACITY_MAP,  SCENE_3DS_REFLECTION_MAP, SCENE_3DS_BUMP_MAP,
+        SCENE_3DS_SHININESS_MAP, SCENE_3DS_EMISSION_MAP, SCENE_3DS_LIGHT,          SCENE_3DS_CAMERA,
+        SCENE_3DS_FACES};
+    enum { FACE = 8, LIGHT = 12, CAMERA = 32 }; // bytes of their numbers
     struct scene_3ds_chunks *const content = &chunk->content;
     const size_t length = content->end - content->at;
     bool holds = false;
     for (size_t i = 0; i < sizeof holders / sizeof holders[0]; i++) {
         holds = holds || chunk->kind == holders[i];
     }
+    size_t own = chunk->kind == SCENE_3DS_LIGHT ? LIGHT : chunk->kind == SCENE_3DS_CAMERA ? CAMERA : 0;
     if (chunk->kind == SCENE_3DS_FACES) {
-        const size_t faces =
-            length < 2 ? length : 2 + FACE * scene_3ds_number(content->bytes + content->at, 2);
-        content->at += faces < length ? faces : length;
+        own = length < 2 ? length : 2 + FACE * scene_3ds_number(content->bytes + content->at, 2);
     }
+    content->at += own < length ? own : length;
     return holds;
 }
 

@@ -492,7 +492,9 @@ static void test_zeros(void **state)
 {
     (void)state;
     static const float points[3][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
-    enum { TURNS = 9, MOST = 14 };
+    static const float camera_numbers[8] = {3, 4, 12, 1, 2, 10, 0, 50};
+    write_bytes("a.png", "P6\n1 1\n255\n\x10\x20\x30", 14);
+    enum { TURNS = 12, MOST = 14 };
     for (int i = 0; i < TURNS * MOST; i++) {
         const unsigned zeros = i % MOST == MOST - 1 ? 300 : (unsigned)i % MOST;
         int turn = i / MOST;
@@ -500,13 +502,32 @@ static void test_zeros(void **state)
         const size_t file = begin(&chunks, 0x4d4d), editor = begin(&chunks, 0x3d3d);
         const size_t material = begin(&chunks, 0xafff);
         put_text(&chunks, 0xa000, "m");
+        const size_t map = begin(&chunks, 0xa200);
+        put_text(&chunks, 0xa300, "a.png");
+        end_filled(&chunks, map, zeros, &turn);
         end_filled(&chunks, material, zeros, &turn);
+        const size_t lamp = begin(&chunks, 0x4000);
+        put(&chunks, "l", 2);
+        const size_t light = begin(&chunks, 0x4600);
+        put(&chunks, points[0], sizeof points[0]);
+        end_filled(&chunks, light, zeros, &turn);
+        end(&chunks, lamp);
+        const size_t taker = begin(&chunks, 0x4000);
+        put(&chunks, "c", 2);
+        const size_t camera = begin(&chunks, 0x4700);
+        put(&chunks, camera_numbers, sizeof camera_numbers);
+        end_filled(&chunks, camera, zeros, &turn);
+        end(&chunks, taker);
         const size_t object = begin(&chunks, 0x4000);
         put(&chunks, "o", 2);
         const size_t mesh = begin(&chunks, 0x4100), vertices = begin(&chunks, 0x4110);
         put_short(&chunks, 3);
         put(&chunks, points, sizeof points);
         end(&chunks, vertices);
+        const size_t places = begin(&chunks, 0x4140);
+        put_short(&chunks, 3);
+        put(&chunks, points, 6 * sizeof(float)); // of two numbers each
+        end(&chunks, places);
         const size_t faces = begin(&chunks, 0x4120);
         for (unsigned k = 0; k < 5; k++) {
             put_short(&chunks, k == 0 ? 1 : k == 4 ? 7 : k - 1);
@@ -532,6 +553,7 @@ static void test_zeros(void **state)
             fail_msg("%u zeros in turn %d", zeros, i / MOST);
         }
         assert_string_equal(model->materials[model->meshes[0].material].name, "m");
+        assert_true(model->light_count == 1 && model->camera_count == 1 && model->image_count == 1);
         scene_model_free(model);
     }
 }
