@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The letters that are another letter with a mark, such as an accent, as the canonical decompositions of Unicode have
-// them, and the syllables of Korean, which are computed (The Unicode Standard, 3.12). Letters beyond the first 65,536
-// and signs of mathematics stay as they are.
+// them, and the syllables of Korean, which are computed (The Unicode Standard, 3.12). Letters beyond the first 65,536,
+// signs of mathematics, and letters that Unicode never composes, such as those of Hebrew with points and of Bengali
+// with a nukta, stay as they are.
 #include "accents.h"
 
 #include <stdlib.h>

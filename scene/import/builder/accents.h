@@ -7,7 +7,8 @@
 #include "import.h"
 
 /// Return the name with accents joined to their letters (Unicode's form NFC), or parted from them (NFD), to be freed.
-/// Return NULL if it is not UTF-8.
+/// Letters that are never composed, which NFC parts too (U+0958 to U+095F, U+09DC and others), stay as they are. Return
+/// NULL if it is not UTF-8.
 char *scene_accents_join(struct scene_import *import, const char *name);
 char *scene_accents_part(struct scene_import *import, const char *name);
 
