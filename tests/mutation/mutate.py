@@ -199,9 +199,9 @@ def run_round(options, source, build, places, folder):
 def save(path, rows):
     with open(path, "w", newline="") as file:
         writer = csv.writer(file)
-        writer.writerow(["file", "line", "kind", "change", "noticed by", "tests run", "tests that reach it"])
-        for place, noticed, ran, reaching, _ in rows:
-            writer.writerow([place.file, place.line, place.kind, place.told, noticed or "", ran, reaching])
+        writer.writerow(["file", "line", "kind", "change", "noticed by", "tests run", "tests that reach it", "timed out without it too"])
+        for place, noticed, ran, reaching, busy in rows:
+            writer.writerow([place.file, place.line, place.kind, place.told, noticed or "", ran, reaching, busy])
 
 
 def main():
@@ -222,7 +222,7 @@ def main():
     print(f"{noticed} of {len(rows)} noticed, {sum(row[3] == 0 for row in rows)} that no test reaches")
     busy = sum(row[1] is None and row[4] > 0 for row in rows)
     if busy:
-        print(f"{busy} for which the machine was too busy to tell: try them --again")
+        print(f"{busy} for which the machine was too busy to tell: try them by --again {options.save or 'FILE, which --save FILE writes'}")
 
 
 if __name__ == "__main__":

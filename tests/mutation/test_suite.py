@@ -1,12 +1,14 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
 """What script/mutate takes for noticed, and what it says where the machine is too busy to tell."""
+import csv
 import io
 import sys
 import tempfile
 import unittest
 from contextlib import redirect_stdout
 from pathlib import Path
+from types import SimpleNamespace
 
 sys.dont_write_bytecode = True
 import suite
@@ -59,6 +61,15 @@ class Suite(unittest.TestCase):
         with redirect_stdout(out):
             mutate.tell_tests([shell("true")], [SLOW], [], 3)
         self.assertRegex(out.getvalue(), f"^1 tests that pass in time\n1 take longer than 3 s .*: {SLOW}\n$")
+
+    def test_save(self):
+        place = SimpleNamespace(file="a.c", line=7, kind="number", told="1 with 2")
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder, "mutants.csv")
+            mutate.save(path, [(place, None, 5, 4, 3)])
+            with open(path, newline="") as file:
+                (row,) = csv.DictReader(file)
+        self.assertEqual((row["noticed by"], row["tests run"], row["timed out without it too"]), ("", "5", "3"))
 
 
 if __name__ == "__main__":
