@@ -48,7 +48,7 @@ static void write_bare(struct scene_import *import, struct scene_edits *edits, c
     }
     scene_edits_add_string(import, edits, (size_t)(tag - text), (size_t)(close - tag) + 1, written);
     if (scene_collada_attribute(tag, close, "USE").text != NULL) {
-        scene_import_unsupported(import, "groups that are used again (X3D): not drawn");
+        scene_import_unsupported(import, "some groups that are used again (X3D): not drawn");
     }
 }
 

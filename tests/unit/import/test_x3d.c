@@ -45,7 +45,7 @@ static void test_addresses(void **state)
 static void test_nodes(void **state)
 {
     (void)state;
-    static const char used[] = "groups that are used again (X3D): not drawn";
+    static const char used[] = "some groups that are used again (X3D): not drawn";
     static const struct {
         const char *text;
         unsigned triangles;
@@ -173,7 +173,7 @@ static void test_groups_within_groups(void **state)
     }
     strcpy(text + length, "</Scene></X3D>");
     struct scene_model *const model = load_text("w.x3d", text);
-    assert_true(is_unsupported(model, "groups that are used again (X3D): not drawn"));
+    assert_true(is_unsupported(model, "some groups that are used again (X3D): not drawn"));
     assert_true(model->triangles_drawn > 1000 && model->triangles_drawn < 5000);
     scene_model_free(model);
 }
