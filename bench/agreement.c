@@ -15,14 +15,15 @@ static void compare_colors(struct bench_agreement *result, const uint8_t *a, con
             result->coverage++;
             continue;
         }
-        int largest = 0;
+        bool is_outlier = false;
         for (int c = 0; c < 4; c++) {
-            const int difference = abs(a[c] - b[c]);
-            largest = difference > largest ? difference : largest;
+            const int difference = abs(a[c] - b[c]), color = tolerance->color > 1 ? tolerance->color : 1;
+            is_outlier =
+                is_outlier || difference > (c == 3 && tolerance->alpha > color ? tolerance->alpha : color);
+            result->color = difference > result->color ? difference : result->color;
             sum += (uint64_t)difference;
         }
-        result->color = largest > result->color ? largest : result->color;
-        result->outliers += largest > (tolerance->color > 1 ? tolerance->color : 1) ? 1 : 0;
+        result->outliers += is_outlier ? 1 : 0;
     }
     result->mean = (double)sum / (4.0 * (double)result->pixels);
 }

@@ -206,6 +206,7 @@ struct bench_pass {
 // say why where it is more than 1/255 and no pixel.
 struct bench_tolerance {
     int color;       // 1/255
+    int alpha;       // the same, where alpha may differ by more than colour
     double outliers; // fraction of pixels that may differ by more, or be covered in one image only
     double depth;    // of the depth range
 };

@@ -275,6 +275,12 @@ static void test_what_is_tolerated_is_exactly_what_is_stated(void **state)
     assert_true(two.agrees);
     b[16] = 96;
     assert_false(bench_agree(&left, &right, &wide).agrees);
+    const struct bench_tolerance rough = {.alpha = 50};
+    memcpy(b, a, sizeof b);
+    b[3] = 150;
+    assert_true(bench_agree(&left, &right, &rough).agrees);
+    b[4] = 102;
+    assert_false(bench_agree(&left, &right, &rough).agrees);
 }
 
 static void test_depths_that_are_no_numbers_differ(void **state)
