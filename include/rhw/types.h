@@ -56,7 +56,7 @@ enum {
 // Contexts ------------------------------------------------------------------------------------------
 
 /// The kernels are compiled for these instruction sets, slowest first. All of them draw the same bytes. BASELINE is the
-/// specification: SSE2 on x86-64, NEON on 64-bit ARM, and elsewhere what the compiler was told to use.
+/// specification: SSE2 on x86-64, NEON on 64-bit ARM, elsewhere what the compiler was told to use. AVX2 is with FMA.
 enum rhw_isa { RHW_ISA_BASELINE, RHW_ISA_AVX2, RHW_ISA_AVX512, RHW_ISA_COUNT };
 
 /// The highest instruction set that a context may use. The context takes the highest one up to it that the CPU has.

@@ -119,7 +119,7 @@ enum { F32_FUSES = 0 };
 
 // Return a · b + c, rounded once where F32_FUSES is 1, and twice elsewhere: a caller has to prove that its result is
 // the same. The instruction is written out because a compiler that is allowed fused operations (-mfma) could make more
-// of them than this one. cpu.c asks for it as a part of AVX2.
+// of them than this one. cpu.c leaves processors that have AVX2 without it to the baseline.
 RHW_INLINE f32x8 f32x8_fused(f32x8 a, f32x8 b, f32x8 c)
 {
 #if defined(__AVX2__)
