@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The table of compressed formats. format.c has the table of the others.
+// The table of compressed formats. format_table.h has the table of the others.
 //
 // Formats of 8 bits are decoded to RGBA8, which the sampler has fast paths for. BC6H is made of halves. BC4 and BC5
 // have fifths and sevenths of bytes and EAC has 11 bits; they become floats, so that nothing is lost but one rounding:

@@ -30,7 +30,7 @@ struct rhw_blend_state {
     enum rhw_format known;     // the format, for code of its own; RHW_FORMAT_NONE: none
     bool blend;                // false too where blending is replacement spelled out
     bool color_one, alpha_one; // the source factor is ONE
-    bool is_sum;               // ONE and ONE, added, of a format whose general path has code for that
+    bool is_sum;               // ONE and ONE, added
     // A factor is of the second source, color[1] of the fragment.
     bool reads_second;
     bool writes_all;        // all channels of the format
