@@ -31,7 +31,7 @@ static void write_set(struct shader_emitter *emitter, const struct shader_node *
     const uint32_t home = node->operands[0];
     const bool is_float = emitter->plan.is_float[home];
     const char *const name = shader_c_name(emitter, home);
-    if (shader_c_resource(emitter, home) != home) {
+    if (shader_resource_of(&emitter->plan, home) != home) {
         return; // a binding that is named once serves everywhere
     }
     const char *const value = shader_c_argument(emitter, node->operands[1], is_float);
@@ -190,7 +190,12 @@ static void write_loop(struct shader_emitter *emitter, uint32_t place)
     const uint32_t before = emitter->mask, round = shader_c_new_mask(emitter);
     begin_leaving(emitter, place);
     shader_text_line(emitter->out, "rhw_int m%u = m%u;", (unsigned)round, (unsigned)before);
-    shader_text_line(emitter->out, structure->is_uniform ? "for (;;) {" : "do {");
+    if (structure
+            ->is_uniform) { // no lane may be active, and then memory that lanes would write does not change
+        shader_text_line(emitter->out, "while (rhw_any(m%u)) {", (unsigned)round);
+    } else {
+        shader_text_line(emitter->out, "do {");
+    }
     emitter->loops[emitter->loop_depth++] = place;
     emitter->mask = round;
     shader_walk_narrow(&emitter->walk, place + 1, structure->end, place);
@@ -199,11 +204,6 @@ static void write_loop(struct shader_emitter *emitter, uint32_t place)
         shader_text_line(emitter->out, "m%u = rhw_splat_int(0);", (unsigned)round);
     } else if (!emitter->is_dead && emitter->mask != round) {
         shader_text_line(emitter->out, "m%u = m%u;", (unsigned)round, (unsigned)emitter->mask);
-        if (structure->is_uniform) {
-            shader_text_line(emitter->out, "if (!rhw_any(m%u)) {", (unsigned)round);
-            shader_text_line(emitter->out, "break;");
-            shader_text_line(emitter->out, "}");
-        }
     }
     if (!emitter->is_dead) {
         shader_c_write_giving_up(emitter);

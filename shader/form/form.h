@@ -261,7 +261,8 @@ struct shader_op_description {
 
 extern const struct shader_op_description shader_ops[SHADER_OP_COUNT];
 
-// Return true if all lanes of a group that are active have one value. Where it is computed, all others have it, too.
+// Return true if the active lanes of a group, of which there may be none, have one value. Where it is computed, all
+// others have it, too.
 static inline bool shader_is_shared(const struct shader_program *program, uint32_t value)
 {
     return (program->nodes[value].flags & SHADER_DYNAMICALLY_UNIFORM) != 0;

@@ -85,7 +85,7 @@ static void go_on_alive(struct shader_generator *g)
 static void generate_set(struct shader_generator *g, const struct shader_node *node)
 {
     const uint32_t home = node->operands[0], value = node->operands[1];
-    if (shader_resource_of(g, home) != home) {
+    if (shader_resource_of(&g->plan, home) != home) {
         return; // a binding that is named once serves everywhere
     }
     // Where lanes go one way, those that are not active never read the home again.
@@ -346,6 +346,11 @@ static void generate_loop(struct shader_generator *g, uint32_t place)
     const struct shader_structure *const structure = &g->plan.structures[place];
     const uint32_t before = g->mask, outer = g->block_mask, end = structure->end;
     begin_leaving(g, place);
+    if (structure
+            ->is_uniform) { // no lane may be active, and then memory that lanes would write does not change
+        test_mask(g, before);
+        shader_edge_jump_if(g, X86_EQUAL, g->ends[place], end);
+    }
     const uint32_t round = copy_mask(g, before);
     struct shader_edge *const again = shader_new_edge(g);
     shader_loop_begin(g, again, end);

@@ -15,6 +15,8 @@
 #include "flow_comp.h"
 #include "leave_comp.h"
 #include "plain_vert.h"
+#include "waits_comp.h"
+#include "waits_together_comp.h"
 
 enum { LANES = 20, WORKGROUPS = 3 };
 
@@ -295,6 +297,30 @@ static void test_lanes_share_what_all_have_alike(void **state)
     check_alike(alike_comp_small, sizeof alike_comp_small);
 }
 
+static void check_waiting(rhw_shader *shader, uint32_t counted)
+{
+    rhw_shader_program *const program = spirv_link(NULL, NULL, shader);
+    uint32_t words[2] = {0, 0};
+    const struct rhw_binding binding = spirv_memory(words, sizeof words);
+    const struct rhw_shader_frame frame = {.sets = {&binding}};
+    struct patience patience = {.left = 100};
+    struct rig rig;
+    rig_open(&rig, 4, 4);
+    rhw_context_set_goes_on(rig.context, goes_on, &patience);
+    assert_int_equal(spirv_dispatch(&rig, program, &frame, 1), RHW_OK);
+    assert_int_equal(words[0], 10);
+    assert_int_equal(words[1], counted);
+    rig_close(&rig);
+    rhw_shader_program_destroy(program);
+}
+
+static void test_groups_without_lanes_do_not_wait(void **state)
+{
+    (void)state;
+    check_waiting(SPIRV_CREATE(waits_comp, RHW_SHADER_COMPUTE), 0);
+    check_waiting(SPIRV_CREATE(waits_together_comp, RHW_SHADER_COMPUTE), 1);
+}
+
 static void test_discarded_lanes_do_no_more(void **state)
 {
     (void)state;
@@ -370,6 +396,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_lanes_count_together_and_apart),
     cmocka_unit_test(test_lanes_share_what_all_have_alike),
     cmocka_unit_test(test_covered_lanes_share_what_all_have_alike),
+    cmocka_unit_test(test_groups_without_lanes_do_not_wait),
     cmocka_unit_test(test_discarded_lanes_do_no_more),
     cmocka_unit_test(test_all_lanes_may_leave_at_once),
 };
