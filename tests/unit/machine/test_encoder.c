@@ -93,7 +93,8 @@ static void add_memory(unsigned instruction, unsigned flags)
         for (int i = 0; i < 3; i++) {
             const int32_t offset = offsets[(base * 3 + i) % 7];
             const int reg = (3 * base + 5 * i) & 15, source = (reg + 1) & 15,
-                      other = (reg + 2 + base % 2) & 15, index = other == X86_RSP ? X86_R12 : other;
+                      other = (reg + 2 + base % 2) & 15,
+                      index = other == X86_RSP && shape != X86_RXV ? X86_R12 : other;
             const struct x86_operand rm = i != 1 || shape == X86_RXV
                                               ? x86_at_index(base, index, (unsigned)(base + i) % 4, offset)
                                               : x86_at(base, offset);
