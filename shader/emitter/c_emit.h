@@ -70,8 +70,6 @@ const char *shader_c_begin_bindings(struct shader_emitter *emitter, uint32_t tex
 void shader_c_end_bindings(struct shader_emitter *emitter, uint32_t texture, uint32_t sampler);
 // Return the name of the plane that a texture lies in, which all lanes name. It is found once a call.
 const char *shader_c_plane(struct shader_emitter *emitter, uint32_t texture);
-// Return the BUFFER, PUSH or WORKGROUP that a value is, or the home that keeps an element that lanes name.
-uint32_t shader_c_resource(const struct shader_emitter *emitter, uint32_t value);
 // Return true if a BUFFER is one binding for all lanes of a call.
 bool shader_c_is_one_binding(const struct shader_emitter *emitter, uint32_t buffer);
 

@@ -15,7 +15,7 @@ void shader_c_list_group_samples(struct shader_emitter *emitter)
         return;
     }
     const unsigned count = emitter->sample_count;
-    shader_text_line(&emitter->arrays, "rhw_float texels[GROUPS][%u][4];", count);
+    shader_text_line(&emitter->arrays, "rhw_float texels[GROUPS * %u][4];", count);
     shader_text_line(&emitter->once, "struct rhw_binding table_of_samples[%u];", count);
     for (unsigned i = 0; i < count; i++) {
         const struct shader_group_sample *const sample = &emitter->samples[i];
@@ -33,7 +33,7 @@ void shader_c_sample_groups(const struct shader_emitter *emitter, struct shader_
         const unsigned which = shader_samples_alike(emitter->samples, emitter->sample_count, &left);
         shader_text_line(out,
                          "rhw_spirv_sample_groups(table_of_samples, &groups[first], groups_here, 0x%x, %u, "
-                         "texels[0], %u);",
+                         "texels, %u);",
                          which, at, (unsigned)emitter->sample_count);
     }
 }
@@ -42,8 +42,8 @@ bool shader_c_write_group_sample(struct shader_emitter *emitter, uint32_t value)
 {
     for (unsigned i = 0; i < emitter->sample_count; i++) {
         if (emitter->samples[i].value == value) {
-            shader_text_line(emitter->out, "const rhw_float *const texel%u = texels[%s][%u];",
-                             (unsigned)value, emitter->group, i);
+            shader_text_line(emitter->out, "const rhw_float *const texel%u = texels[%u * %s + %u];",
+                             (unsigned)value, (unsigned)emitter->sample_count, emitter->group, i);
             return true;
         }
     }

@@ -11,7 +11,7 @@ struct request {
 static uint32_t sampler_of(const struct shader_emitter *emitter, const struct request *request)
 {
     return request->flags & SHADER_IMAGE_HAS_SAMPLER
-               ? shader_c_resource(emitter, request->operands[SHADER_IMAGE_SAMPLER])
+               ? shader_resource_of(&emitter->plan, request->operands[SHADER_IMAGE_SAMPLER])
                : SHADER_NONE;
 }
 
@@ -165,7 +165,7 @@ static void write_sample(struct shader_emitter *emitter, uint32_t value)
                                     .flags = node->immediate,
                                     .value = value,
                                     .spatial = node->immediate >> SHADER_IMAGE_SPATIAL_SHIFT & 3};
-    const uint32_t texture = shader_c_resource(emitter, request.operands[SHADER_IMAGE_TEXTURE]);
+    const uint32_t texture = shader_resource_of(&emitter->plan, request.operands[SHADER_IMAGE_TEXTURE]);
     const uint32_t sampler = sampler_of(emitter, &request);
     const bool is_one = shader_c_is_one_binding(emitter, texture) &&
                         (sampler == SHADER_NONE || shader_c_is_one_binding(emitter, sampler));
@@ -199,7 +199,7 @@ static void write_image_store(struct shader_emitter *emitter, uint32_t value)
                                     .flags = node->immediate,
                                     .value = value,
                                     .spatial = node->immediate >> SHADER_IMAGE_SPATIAL_SHIFT & 3};
-    const uint32_t texture = shader_c_resource(emitter, request.operands[SHADER_IMAGE_TEXTURE]);
+    const uint32_t texture = shader_resource_of(&emitter->plan, request.operands[SHADER_IMAGE_TEXTURE]);
     const uint32_t sampler = sampler_of(emitter, &request);
     const char *lanes;
     write_coordinates(emitter, &request, false);

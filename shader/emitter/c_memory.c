@@ -10,11 +10,6 @@ static const char *resource_name(struct shader_emitter *emitter, uint32_t resour
                           emitter->form->module->names[emitter->form->resources[resource].variable->id]);
 }
 
-uint32_t shader_c_resource(const struct shader_emitter *emitter, uint32_t value)
-{
-    return shader_is_resource_home(&emitter->plan, value) ? emitter->form->nodes[value].operands[0] : value;
-}
-
 bool shader_c_is_one_binding(const struct shader_emitter *emitter, uint32_t buffer)
 {
     return emitter->plan.is_hoisted[buffer];
@@ -163,14 +158,14 @@ static const char *index_text(struct shader_emitter *emitter, uint32_t offset, u
                              (unsigned)((bits + more) >> 2));
     }
     return shader_format(emitter->memory,
-                         is_alike ? "((uint32_t)%s[0] + %u) >> 2" : "rhw_spirv_index(%s, %u)",
+                         is_alike ? "((uint32_t)%s[0] + %uu) >> 2" : "rhw_spirv_index(%s, %u)",
                          shader_c_argument(emitter, offset, false), (unsigned)more);
 }
 
 static const char *load_alike(struct shader_emitter *emitter, const struct shader_node *node, bool is_float)
 {
     const char *const index = index_text(emitter, node->operands[1], node->immediate, true);
-    const uint32_t buffer = shader_c_resource(emitter, node->operands[0]);
+    const uint32_t buffer = shader_resource_of(&emitter->plan, node->operands[0]);
     const bool is_push = emitter->form->nodes[buffer].op == SHADER_PUSH;
     const char *const word =
         is_push ? shader_format(emitter->memory, "rhw_spirv_push_word(frame, %s)", index)
@@ -249,7 +244,7 @@ static void write_load(struct shader_emitter *emitter, uint32_t value)
         write_own_load(emitter, value);
         return;
     }
-    const uint32_t buffer = shader_c_resource(emitter, node->operands[0]);
+    const uint32_t buffer = shader_resource_of(&emitter->plan, node->operands[0]);
     const bool is_float = emitter->plan.is_float[value], is_one = shader_c_is_one_binding(emitter, buffer);
     if (shader_is_shared(emitter->form, value) && is_one) {
         shader_c_define(emitter, value, load_alike(emitter, node, is_float), "");
@@ -281,7 +276,7 @@ static void write_load(struct shader_emitter *emitter, uint32_t value)
 // Store the lowest 8 or 16 bits.
 static void write_store_part(struct shader_emitter *emitter, const struct shader_node *node)
 {
-    const uint32_t buffer = shader_c_resource(emitter, node->operands[0]);
+    const uint32_t buffer = shader_resource_of(&emitter->plan, node->operands[0]);
     const char *const offset = shader_c_argument(emitter, node->operands[1], false);
     const char *const value = shader_c_argument(emitter, node->operands[2], false);
     const char *lanes;
@@ -297,7 +292,7 @@ static void write_store(struct shader_emitter *emitter, const struct shader_node
         write_own_store(emitter, node);
         return;
     }
-    const uint32_t buffer = shader_c_resource(emitter, node->operands[0]);
+    const uint32_t buffer = shader_resource_of(&emitter->plan, node->operands[0]);
     const char *const index = index_text(emitter, node->operands[1], node->immediate, false);
     const char *const value = shader_c_argument(emitter, node->operands[2], false);
     const char *lanes;
@@ -315,7 +310,7 @@ static void write_store(struct shader_emitter *emitter, const struct shader_node
 static void write_length(struct shader_emitter *emitter, uint32_t value)
 {
     const struct shader_node *const node = &emitter->form->nodes[value];
-    const uint32_t buffer = shader_c_resource(emitter, node->operands[0]);
+    const uint32_t buffer = shader_resource_of(&emitter->plan, node->operands[0]);
     if (shader_c_is_one_binding(emitter, buffer)) {
         shader_c_define(
             emitter, value,
@@ -348,7 +343,7 @@ static void write_atomic(struct shader_emitter *emitter, uint32_t value)
     const uint32_t *const operands = shader_operands(emitter->form, node, &count);
     const uint32_t number = operands[is_image ? SHADER_IMAGE_ATOMIC_VALUE : SHADER_ATOMIC_VALUE];
     const uint32_t comparand = operands[is_image ? SHADER_IMAGE_ATOMIC_COMPARAND : SHADER_ATOMIC_COMPARAND];
-    const uint32_t buffer = shader_c_resource(emitter, operands[SHADER_ATOMIC_BUFFER]);
+    const uint32_t buffer = shader_resource_of(&emitter->plan, operands[SHADER_ATOMIC_BUFFER]);
     const char *const name = shader_format(memory, "before%u", (unsigned)value);
     const char *index = shader_format(memory, "at%u", (unsigned)value), *lanes;
     if (is_image) {

@@ -18,11 +18,6 @@ static uint32_t varyings_of(const struct shader_linked_stage *stage, const uint3
     return stage->component_of[next->immediate] == at + 1 ? at : NO_COMPONENT;
 }
 
-static uint32_t resource_of(const struct shader_plan *plan, uint32_t value)
-{
-    return shader_is_resource_home(plan, value) ? plan->form->nodes[value].operands[0] : value;
-}
-
 // Return true for a SAMPLE that does not have to wait for its group.
 static bool find_sample(const struct shader_linked_stage *stage, const struct shader_plan *plan,
                         uint32_t place, struct shader_group_sample *sample, const uint32_t **operands)
@@ -41,8 +36,8 @@ static bool find_sample(const struct shader_linked_stage *stage, const struct sh
     *sample = (struct shader_group_sample){
         .value = value,
         .at = at,
-        .texture = resource_of(plan, given[SHADER_IMAGE_TEXTURE]),
-        .sampler = has_sampler ? resource_of(plan, given[SHADER_IMAGE_SAMPLER]) : SHADER_NONE};
+        .texture = shader_resource_of(plan, given[SHADER_IMAGE_TEXTURE]),
+        .sampler = has_sampler ? shader_resource_of(plan, given[SHADER_IMAGE_SAMPLER]) : SHADER_NONE};
     return at != NO_COMPONENT && varyings_of(stage, &given[SHADER_IMAGE_DX], SHADER_INPUT_DX) == at &&
            varyings_of(stage, &given[SHADER_IMAGE_DY], SHADER_INPUT_DY) == at &&
            plan->is_hoisted[sample->texture] && (!has_sampler || plan->is_hoisted[sample->sampler]);

@@ -326,6 +326,11 @@ bool shader_is_resource_home(const struct shader_plan *plan, uint32_t value)
     return op == SHADER_BUFFER || op == SHADER_PUSH || op == SHADER_WORKGROUP;
 }
 
+uint32_t shader_resource_of(const struct shader_plan *plan, uint32_t value)
+{
+    return shader_is_resource_home(plan, value) ? plan->form->nodes[value].operands[0] : value;
+}
+
 // What is computed once ------------------------------------------------------------------------------
 
 // Nobody writes the memory while the shader runs, as far as it can tell.

@@ -52,6 +52,8 @@ bool shader_is_cut(const struct shader_plan *plan, uint32_t place);
 bool shader_is_wide(const struct shader_plan *plan, uint32_t place);
 // Return true for the home of a resource that is found once a call, which serves everywhere in the place of its home.
 bool shader_is_resource_home(const struct shader_plan *plan, uint32_t value);
+// Return the BUFFER, PUSH or WORKGROUP that a value is, or the home that keeps an element that lanes name.
+uint32_t shader_resource_of(const struct shader_plan *plan, uint32_t value);
 void shader_make_plan(struct shader_memory *memory, const struct shader_program *form, bool has_steps,
                       struct shader_plan *plan);
 

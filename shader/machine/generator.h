@@ -219,7 +219,6 @@ struct shader_argument shader_bound_argument(void);
 bool shader_select_input(struct shader_generator *g, uint32_t value);
 bool shader_select_memory(struct shader_generator *g, uint32_t value);
 bool shader_select_image(struct shader_generator *g, uint32_t value);
-uint32_t shader_resource_of(const struct shader_generator *g, uint32_t value);
 bool shader_is_one(const struct shader_generator *g, uint32_t buffer);
 // The binding that all lanes name, as an argument, or NULL.
 struct shader_argument shader_found_argument(struct shader_generator *g, uint32_t buffer);

@@ -7,8 +7,9 @@
 uint32_t shader_sampler_of(const struct shader_generator *g, const struct shader_node *node,
                            const uint32_t *operands)
 {
-    return node->immediate & SHADER_IMAGE_HAS_SAMPLER ? shader_resource_of(g, operands[SHADER_IMAGE_SAMPLER])
-                                                      : SHADER_NONE;
+    return node->immediate & SHADER_IMAGE_HAS_SAMPLER
+               ? shader_resource_of(&g->plan, operands[SHADER_IMAGE_SAMPLER])
+               : SHADER_NONE;
 }
 
 bool shader_is_one_image(const struct shader_generator *g, uint32_t texture, uint32_t sampler)
@@ -62,7 +63,7 @@ static bool is_plane_fetch(const struct shader_generator *g, uint32_t place)
     uint32_t count;
     const uint32_t *const operands = shader_operands(g->form, &nodes[value], &count);
     return part->op == SHADER_PART && part->operands[0] == value && part->immediate == 0 &&
-           shader_is_one(g, shader_resource_of(g, operands[SHADER_IMAGE_TEXTURE]));
+           shader_is_one(g, shader_resource_of(&g->plan, operands[SHADER_IMAGE_TEXTURE]));
 }
 
 static void find_plane(struct shader_generator *g, uint32_t texture)
@@ -82,8 +83,8 @@ void shader_pair_once(struct shader_generator *g)
         struct shader_node *const node = &g->form->nodes[g->form->code[i]];
         if (is_plane_fetch(g, i)) {
             uint32_t count;
-            find_plane(g,
-                       shader_resource_of(g, shader_operands(g->form, node, &count)[SHADER_IMAGE_TEXTURE]));
+            find_plane(g, shader_resource_of(&g->plan,
+                                             shader_operands(g->form, node, &count)[SHADER_IMAGE_TEXTURE]));
             continue;
         }
         if (node->op != SHADER_SAMPLE && node->op != SHADER_IMAGE_STORE) {
@@ -91,7 +92,7 @@ void shader_pair_once(struct shader_generator *g)
         }
         uint32_t count;
         const uint32_t *const operands = shader_operands(g->form, node, &count);
-        const uint32_t texture = shader_resource_of(g, operands[SHADER_IMAGE_TEXTURE]),
+        const uint32_t texture = shader_resource_of(&g->plan, operands[SHADER_IMAGE_TEXTURE]),
                        sampler = shader_sampler_of(g, node, operands);
         if (sampler != SHADER_NONE && shader_is_one_image(g, texture, sampler) &&
             !find_pair(g, texture, sampler)) {
@@ -182,7 +183,7 @@ static void invoke_image(struct shader_generator *g, uint32_t value, bool is_sto
     struct shader_node *const node = &g->form->nodes[value];
     uint32_t count;
     const uint32_t *const operands = shader_operands(g->form, node, &count);
-    const uint32_t texture = shader_resource_of(g, operands[SHADER_IMAGE_TEXTURE]),
+    const uint32_t texture = shader_resource_of(&g->plan, operands[SHADER_IMAGE_TEXTURE]),
                    sampler = shader_sampler_of(g, node, operands);
     const bool is_one = shader_is_one_image(g, texture, sampler);
     put_request(g, operands, node->immediate);
@@ -297,7 +298,7 @@ static bool select_window(struct shader_generator *g, uint32_t value)
     const int64_t columns = window.high[0] - window.low[0] + 1, rows = window.high[1] - window.low[1] + 1;
     uint32_t operands[SHADER_IMAGE_OPERANDS], count;
     const uint32_t *const given = shader_operands(g->form, node, &count);
-    const uint32_t texture = shader_resource_of(g, given[SHADER_IMAGE_TEXTURE]),
+    const uint32_t texture = shader_resource_of(&g->plan, given[SHADER_IMAGE_TEXTURE]),
                    sampler = shader_sampler_of(g, node, given);
     if (window.parts < FEWEST_PARTS || columns > WIDEST || rows > WIDEST ||
         columns * rows > 2 * window.parts || !shader_is_one_image(g, texture, sampler) ||
@@ -342,7 +343,7 @@ static bool select_fetch(struct shader_generator *g, uint32_t value)
     }
     uint32_t count;
     const uint32_t *const operands = shader_operands(g->form, &g->form->nodes[value], &count);
-    const uint32_t texture = shader_resource_of(g, operands[SHADER_IMAGE_TEXTURE]);
+    const uint32_t texture = shader_resource_of(&g->plan, operands[SHADER_IMAGE_TEXTURE]);
     const uint32_t column = operands[SHADER_IMAGE_COORDINATES], row = operands[SHADER_IMAGE_COORDINATES + 1];
     const int32_t plane = (int32_t)find_pair(g, texture, SHADER_NONE)->offset;
     const int32_t last = plane + (int32_t)offsetof(struct shader_found_plane, last);

@@ -8,11 +8,6 @@ enum { MAX_KNOWN_WORD = 1 << 28, MOST_WORDS = 4 };
 
 // Bindings -------------------------------------------------------------------------------------------
 
-uint32_t shader_resource_of(const struct shader_generator *g, uint32_t value)
-{
-    return shader_is_resource_home(&g->plan, value) ? g->form->nodes[value].operands[0] : value;
-}
-
 bool shader_is_one(const struct shader_generator *g, uint32_t buffer)
 {
     return g->plan.is_hoisted[buffer];
@@ -271,7 +266,7 @@ static void load(struct shader_generator *g, uint32_t value)
         return;
     }
     const bool is_alike = shader_is_shared(g->form, value);
-    const uint32_t buffer = shader_resource_of(g, node->operands[0]);
+    const uint32_t buffer = shader_resource_of(&g->plan, node->operands[0]);
     if (!is_alike || !shader_is_one(g, buffer)) {
         load_lanes(g, value, buffer);
     } else if (g->form->nodes[buffer].op == SHADER_PUSH) {
@@ -285,7 +280,7 @@ static void load(struct shader_generator *g, uint32_t value)
 
 static void store_lanes(struct shader_generator *g, const struct shader_node *node)
 {
-    const uint32_t buffer = shader_resource_of(g, node->operands[0]);
+    const uint32_t buffer = shader_resource_of(&g->plan, node->operands[0]);
     const bool is_part = node->op != SHADER_STORE;
     const uint32_t index =
         is_part ? node->operands[1] : shader_index_of(g, node->operands[1], node->immediate);
@@ -321,7 +316,7 @@ static void store_lanes(struct shader_generator *g, const struct shader_node *no
 static void length(struct shader_generator *g, uint32_t value)
 {
     const struct shader_node *const node = &g->form->nodes[value];
-    const uint32_t buffer = shader_resource_of(g, node->operands[0]);
+    const uint32_t buffer = shader_resource_of(&g->plan, node->operands[0]);
     if (!shader_is_one(g, buffer)) {
         const struct shader_invocation call = {
             .which = SHADER_LENGTH,
@@ -352,7 +347,7 @@ static void atomic(struct shader_generator *g, uint32_t value)
     const bool is_image = node->op == SHADER_IMAGE_ATOMIC;
     uint32_t count;
     const uint32_t *const operands = shader_operands(g->form, node, &count);
-    const uint32_t buffer = shader_resource_of(g, operands[SHADER_ATOMIC_BUFFER]);
+    const uint32_t buffer = shader_resource_of(&g->plan, operands[SHADER_ATOMIC_BUFFER]);
     const uint32_t index = is_image ? SHADER_NONE : shader_index_of(g, operands[SHADER_ATOMIC_OFFSET], 0);
     struct shader_invocation call = {.which = node->op, .argument_count = 3, .result = value};
     call.arguments[0] = shader_bound_argument();
