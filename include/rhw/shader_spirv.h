@@ -459,10 +459,8 @@ static inline void rhw_spirv_fetch(const struct rhw_binding *binding, const stru
 /// Put a binding into a table, or one that holds nothing where it is NULL.
 static inline void rhw_spirv_list(const struct rhw_binding *binding, struct rhw_binding *entry)
 {
-    memset(entry, 0, sizeof *entry);
-    if (binding) {
-        *entry = *binding;
-    }
+    static const struct rhw_binding empty = {{0, 0, 0, 0, 0, 0, 0, 0}};
+    *entry = binding ? *binding : empty;
 }
 
 /// Sample bindings of a table, whose bits `which` has, at the varyings `at` and `at` + 1 of all groups, with the
@@ -485,11 +483,7 @@ static inline void rhw_spirv_sample_groups(const struct rhw_binding *table, cons
                                    *const ddy = &groups[g].ddy[at], zero = rhw_splat(0.0f);
             const rhw_float coordinates[4] = {varying[0], varying[1], zero, zero};
             const rhw_float gradient[6] = {ddx[0], ddx[1], ddy[0], ddy[1], zero, zero};
-            struct rhw_sample_request request;
-            memset(&request, 0, sizeof request);
-            request.coordinates = coordinates;
-            request.gradient = gradient;
-            rhw_binding_sample(&table[n], &request, texels[g * stride + n]);
+            rhw_binding_sample_grad(&table[n], coordinates, gradient, texels[g * stride + n]);
         }
     }
 }
