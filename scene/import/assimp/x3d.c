@@ -210,7 +210,7 @@ static char *write_tags(struct scene_import *import, char *source, size_t *size)
             }
         }
     }
-    scene_assimp_free_quads(&quads);
+    scene_x3d_free_names(&quads.names);
     char *const written = scene_edits_apply(import, &edits, text, size);
     if (written == NULL) {
         return text;

@@ -4,8 +4,8 @@
 #include "x3d_groups.h"
 
 #include "collada_markup.h"
-#include "import/builder/hash_table.h"
 #include "import/builder/import.h"
+#include "x3d_names.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -80,12 +80,6 @@ bool scene_assimp_write_group(struct scene_import *import, struct scene_edits *e
     return true;
 }
 
-// A group that has a name, in the text that is written.
-struct named {
-    struct scene_collada_value name; // in the text that is read
-    size_t at, size;
-};
-
 // An element that is open. Its name is NULL where it has none, or is no group.
 struct element {
     struct scene_collada_value name;
@@ -99,9 +93,8 @@ struct work {
     size_t size, capacity, largest;
     struct element *open;
     size_t open_count, open_capacity;
-    struct named *named;
-    size_t named_count, named_capacity;
-    struct scene_hash_table places;
+    struct scene_x3d_names
+        named; // groups, in the text that is written; the names stand in the one that is read
 };
 
 // Write a text. It may be in what is written.
@@ -115,20 +108,6 @@ static void write_text(struct work *work, const char *text, size_t length)
     work->size += length;
 }
 
-static const struct named *find_named(const struct work *work, struct scene_collada_value name)
-{
-    size_t place = SIZE_MAX;
-    const uint32_t hash = scene_hash_bytes(name.text, name.length);
-    for (uint32_t i = scene_hash_next(&work->places, hash, &place); i != UINT32_MAX;
-         i = scene_hash_next(&work->places, hash, &place)) {
-        if (work->named[i].name.length == name.length &&
-            memcmp(work->named[i].name.text, name.text, name.length) == 0) {
-            return &work->named[i];
-        }
-    }
-    return NULL;
-}
-
 // Where what is read will be written.
 static size_t place_of(const struct work *work, const char *text)
 {
@@ -136,17 +115,10 @@ static size_t place_of(const struct work *work, const char *text)
 }
 
 // Keep a group that ends before `end`.
-static void add_named(struct work *work, struct element element, const char *end)
+static void keep(struct work *work, struct element element, const char *end)
 {
-    if (element.name.text == NULL || find_named(work, element.name) != NULL) {
-        return;
-    }
-    scene_import_reserve(work->import, &work->named, &work->named_capacity, work->named_count + 1,
-                         sizeof *work->named);
-    scene_hash_add(work->import, &work->places, scene_hash_bytes(element.name.text, element.name.length),
-                   (uint32_t)work->named_count);
-    work->named[work->named_count++] =
-        (struct named){element.name, element.at, place_of(work, end) - element.at};
+    scene_x3d_add_name(work->import, &work->named,
+                       (struct scene_x3d_name){element.name, element.at, place_of(work, end) - element.at});
 }
 
 static bool is_light(const char *tag)
@@ -193,7 +165,8 @@ static char *end_of_use(char *close, const char *end)
 static char *write_use(struct work *work, char *tag, char *close, const char *end)
 {
     const struct scene_collada_value use = scene_collada_attribute(tag, close, "USE");
-    const struct named *const named = use.text == NULL ? NULL : find_named(work, use);
+    const struct scene_x3d_name *const named =
+        use.text == NULL ? NULL : scene_x3d_find_name(&work->named, use);
     char *const last = named == NULL ? NULL : end_of_use(close, end);
     if (last == NULL || named->size > work->largest || place_of(work, tag) > work->largest - named->size) {
         return NULL;
@@ -211,7 +184,7 @@ static char *repeat(struct work *work, char *tag, char *close, const char *end)
 {
     if (tag[1] == '/') {
         if (work->open_count > 0) {
-            add_named(work, work->open[--work->open_count], close + 1);
+            keep(work, work->open[--work->open_count], close + 1);
         }
         return close;
     }
@@ -228,7 +201,7 @@ static char *repeat(struct work *work, char *tag, char *close, const char *end)
         element.name = scene_collada_attribute(tag, close, "DEF");
     }
     if (close[-1] == '/') {
-        add_named(work, element, close + 1);
+        keep(work, element, close + 1);
     } else {
         scene_import_reserve(work->import, &work->open, &work->open_capacity, work->open_count + 1,
                              sizeof *work->open);
@@ -258,7 +231,6 @@ char *scene_assimp_repeat_groups(struct scene_import *import, char *text, size_t
         free(text);
     }
     free(work.open);
-    free(work.named);
-    free(work.places.entries);
+    scene_x3d_free_names(&work.named);
     return work.out == NULL ? text : work.out;
 }

@@ -6,7 +6,6 @@
 #include "import/builder/import.h"
 
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #define FACES       "IndexedFaceSet"
@@ -69,40 +68,14 @@ static char *write_faces(struct scene_import *import, struct scene_collada_value
     return text;
 }
 
-// Find what has a name. Return NULL where nothing has it.
-static const struct scene_x3d_name *find_name(const struct scene_x3d_quads *quads,
-                                              struct scene_collada_value name)
-{
-    size_t place = SIZE_MAX;
-    const uint32_t hash = scene_hash_bytes(name.text, name.length);
-    for (uint32_t i = scene_hash_next(&quads->places, hash, &place); i != UINT32_MAX;
-         i = scene_hash_next(&quads->places, hash, &place)) {
-        if (quads->names[i].name.length == name.length &&
-            memcmp(quads->names[i].name.text, name.text, name.length) == 0) {
-            return &quads->names[i];
-        }
-    }
-    return NULL;
-}
-
-static void add_name(struct scene_import *import, struct scene_x3d_quads *quads,
-                     struct scene_collada_value name, size_t points)
-{
-    if (name.text != NULL && find_name(quads, name) == NULL) {
-        scene_import_reserve(import, &quads->names, &quads->capacity, quads->count + 1, sizeof *quads->names);
-        scene_hash_add(import, &quads->places, scene_hash_bytes(name.text, name.length),
-                       (uint32_t)quads->count);
-        quads->names[quads->count++] = (struct scene_x3d_name){name, points};
-    }
-}
-
 // Return how many points a list has, or the list that it uses again. Return 0 where that is not known.
 static size_t count_listed(const struct scene_x3d_quads *quads, char *tag, char *close)
 {
     const struct scene_collada_value use = scene_collada_attribute(tag, close, "USE");
     const struct scene_collada_value points = scene_collada_attribute(tag, close, "point");
-    const struct scene_x3d_name *const used = use.text == NULL ? NULL : find_name(quads, use);
-    return used != NULL ? used->points : points.text != NULL ? count_numbers(points) / 3 : 0;
+    const struct scene_x3d_name *const used =
+        use.text == NULL ? NULL : scene_x3d_find_name(&quads->names, use);
+    return used != NULL ? used->size : points.text != NULL ? count_numbers(points) / 3 : 0;
 }
 
 // Return how many points the node has whose first tag ends at `close`. Return 0 where they are not known.
@@ -129,10 +102,9 @@ static char *write_start(struct scene_import *import, struct scene_x3d_quads *qu
 {
     const struct scene_collada_value use = scene_collada_attribute(tag, close, "USE");
     if (use.text != NULL) {
-        const struct scene_x3d_name *const used = find_name(quads, use);
-        return used != NULL && used->points == 0
-                   ? strcpy(scene_import_allocate(import, sizeof FACES, 1), FACES)
-                   : NULL;
+        const struct scene_x3d_name *const used = scene_x3d_find_name(&quads->names, use);
+        return used != NULL && used->size == 0 ? strcpy(scene_import_allocate(import, sizeof FACES, 1), FACES)
+                                               : NULL;
     }
     const struct scene_collada_value index =
         has_index ? scene_collada_attribute(tag, close, "index") : (struct scene_collada_value){NULL, 0};
@@ -143,7 +115,8 @@ static char *write_start(struct scene_import *import, struct scene_x3d_quads *qu
         most_written(index, count) > quads->largest - quads->written) {
         return NULL;
     }
-    add_name(import, quads, scene_collada_attribute(tag, close, "DEF"), 0);
+    scene_x3d_add_name(import, &quads->names,
+                       (struct scene_x3d_name){.name = scene_collada_attribute(tag, close, "DEF")});
     return write_faces(import, index, count);
 }
 
@@ -158,7 +131,7 @@ bool scene_assimp_write_quads(struct scene_import *import, struct scene_edits *e
         const struct scene_collada_value name = scene_collada_attribute(tag, close, "DEF");
         const size_t points = name.text == NULL ? 0 : count_listed(quads, tag, close);
         if (points > 0) {
-            add_name(import, quads, name, points);
+            scene_x3d_add_name(import, &quads->names, (struct scene_x3d_name){.name = name, .size = points});
         }
     }
     if (which == 0 && !scene_collada_is_tag(tag + is_end, names[0])) {
@@ -181,10 +154,4 @@ bool scene_assimp_write_quads(struct scene_import *import, struct scene_edits *e
                         (struct scene_edit){at, strlen(names[which]), written, strlen(written)});
     }
     return true;
-}
-
-void scene_assimp_free_quads(struct scene_x3d_quads *quads)
-{
-    free(quads->names);
-    free(quads->places.entries);
 }

@@ -5,21 +5,14 @@
 
 #include "collada_markup.h"
 #include "edits.h"
-#include "import/builder/hash_table.h"
-
-/// A name by which a node is used again.
-struct scene_x3d_name {
-    struct scene_collada_value name;
-    size_t points; ///< how many a list of points has; 0 is that of a set that was written
-};
+#include "x3d_names.h"
 
 /// What is kept between the tags of a document. At its beginning all but `largest` is zero.
 struct scene_x3d_quads {
     size_t written, largest; ///< bytes of all sets that were written, and how many they may be
     bool is_open;            ///< the last set was written, and not its end
-    struct scene_x3d_name *names;
-    size_t count, capacity;
-    struct scene_hash_table places;
+    struct scene_x3d_names
+        names; ///< size: how many points a list of points has; 0 is that of a set that was written
 };
 
 /// Write a tag of a set of quads, from `tag` to `close`, as that of a set of faces. `text` is where the document
@@ -28,6 +21,5 @@ struct scene_x3d_quads {
 bool scene_assimp_write_quads(struct scene_import *import, struct scene_edits *edits,
                               struct scene_x3d_quads *quads, const char *text, char *tag, char *close,
                               const char *end);
-void scene_assimp_free_quads(struct scene_x3d_quads *quads);
 
 #endif
