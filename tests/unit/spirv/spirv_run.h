@@ -52,6 +52,20 @@ static inline enum rhw_result spirv_dispatch(const struct rig *rig, const rhw_sh
     return rhw_dispatch(rig->context, &def, workgroups, 1, 1);
 }
 
+// Draw vertices in a pass of its own.
+static inline void spirv_draw(struct rig *rig, const rhw_shader_program *program,
+                              const struct rig_vertex *vertices, uint32_t count,
+                              const struct rhw_shader_frame *frame)
+{
+    rig->pipeline.program = *rhw_shader_program_get(program);
+    rig_begin(rig);
+    rig_use_pipeline(rig);
+    rig_use_vertices(rig, 0, vertices, count * sizeof *vertices);
+    rhw_pass_set_uniforms(rig->context, rig->recording, frame, sizeof *frame);
+    rhw_pass_draw(rig->context, rig->recording, 0, count, 0, 1);
+    rig_end(rig);
+}
+
 // Return a binding of memory that is written.
 static inline struct rhw_binding spirv_memory(void *memory, size_t size)
 {

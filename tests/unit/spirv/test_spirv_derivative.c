@@ -3,14 +3,11 @@
 // difference of the values of two pixels by what their subtraction cancels, and 3 bits more. The values are those of the
 // suite too: 99×133 pixels, varyings from −97 to 76.
 #include <math.h>
-#include <rhw/bind.h>
-#include <rhw/spirv.h>
-#include <string.h>
 
 #include "derivative_frag.h"
 #include "derivative_vert.h"
-#include "harness.h"
 #include "pairs_frag.h"
+#include "spirv_run.h"
 
 enum { WIDTH = 99, HEIGHT = 133 };
 enum { VARYING, LINEAR, NEAREST, SQUARE, WIDTHS, FINE, NESTED, BRANCHES, LEVELS };
@@ -105,13 +102,7 @@ static void draw(struct bench *bench, uint32_t which, bool along_y, float w)
     const float one = 1;
     const struct rhw_shader_frame frame = {
         .sets = {&bench->binding}, .push_constants = &one, .push_size = sizeof one};
-    rig->pipeline.program = *rhw_shader_program_get(program);
-    rig_begin(rig);
-    rig_use_pipeline(rig);
-    rig_use_vertices(rig, 0, corners, sizeof corners);
-    rhw_pass_set_uniforms(rig->context, rig->recording, &frame, sizeof frame);
-    rhw_pass_draw(rig->context, rig->recording, 0, 4, 0, 1);
-    rig_end(rig);
+    spirv_draw(rig, program, corners, 4, &frame);
     bench->pixels = rig_read_float4(rig);
     rhw_shader_program_destroy(program);
     rhw_shader_destroy(vertex);

@@ -271,13 +271,7 @@ static void test_covered_lanes_share_what_all_have_alike(void **state)
         .sets = {set}, .push_constants = &scale, .push_size = sizeof scale};
     struct rig rig;
     rig_open(&rig, 32, 32);
-    rig.pipeline.program = *rhw_shader_program_get(program);
-    rig_begin(&rig);
-    rig_use_pipeline(&rig);
-    rig_use_vertices(&rig, 0, triangle, sizeof triangle);
-    rhw_pass_set_uniforms(rig.context, rig.recording, &frame, sizeof frame);
-    rhw_pass_draw(rig.context, rig.recording, 0, 3, 0, 1);
-    rig_end(&rig);
+    spirv_draw(&rig, program, triangle, 3, &frame);
     uint32_t covered = 0;
     for (int i = 0; i < 32 * 32; i++) {
         const float *const color = rig_read_float4(&rig)[i];
@@ -342,13 +336,7 @@ static void test_discarded_lanes_do_no_more(void **state)
             .sets = {&binding}, .push_constants = &scale, .push_size = sizeof scale};
         struct rig rig;
         rig_open(&rig, 16, 16);
-        rig.pipeline.program = *rhw_shader_program_get(program);
-        rig_begin(&rig);
-        rig_use_pipeline(&rig);
-        rig_use_vertices(&rig, 0, triangle, sizeof triangle);
-        rhw_pass_set_uniforms(rig.context, rig.recording, &frame, sizeof frame);
-        rhw_pass_draw(rig.context, rig.recording, 0, 3, 0, 1);
-        rig_end(&rig);
+        spirv_draw(&rig, program, triangle, 3, &frame);
         assert_int_equal(behind, left[turn]);
         uint32_t drawn = 0;
         for (int i = 0; i < 256; i++) {

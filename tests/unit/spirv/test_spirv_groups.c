@@ -273,13 +273,7 @@ static void test_fragments_have_elect(void **state)
         .sets = {&binding}, .push_constants = &scale, .push_size = sizeof scale};
     struct rig rig;
     rig_open(&rig, 16, 16);
-    rig.pipeline.program = *rhw_shader_program_get(program);
-    rig_begin(&rig);
-    rig_use_pipeline(&rig);
-    rig_use_vertices(&rig, 0, triangle, sizeof triangle);
-    rhw_pass_set_uniforms(rig.context, rig.recording, &frame, sizeof frame);
-    rhw_pass_draw(rig.context, rig.recording, 0, 3, 0, 1);
-    rig_end(&rig);
+    spirv_draw(&rig, program, triangle, 3, &frame);
     assert_int_equal(counts[1], 256);
     assert_in_range(counts[0], 32, 256);
     for (int i = 0; i < 256; i++) {

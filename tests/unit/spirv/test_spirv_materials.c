@@ -55,13 +55,7 @@ static void draw(struct rig *rig, rhw_shader *fragment, const struct rhw_binding
         .vertex = vertex, .fragment = fragment, .is_interpreted = is_interpreted};
     rhw_shader_program *program;
     assert_int_equal(rhw_shader_program_create(&def, &program, NULL), RHW_OK);
-    rig->pipeline.program = *rhw_shader_program_get(program);
-    rig_begin(rig);
-    rig_use_pipeline(rig);
-    rig_use_vertices(rig, 0, triangle, sizeof triangle);
-    rhw_pass_set_uniforms(rig->context, rig->recording, &frame, sizeof frame);
-    rhw_pass_draw(rig->context, rig->recording, 0, 3, 0, 1);
-    rig_end(rig);
+    spirv_draw(rig, program, triangle, 3, &frame);
     memcpy(pixels, rig_read_float4(rig), SIZE * SIZE * sizeof *pixels);
     rhw_shader_program_destroy(program);
     rhw_shader_destroy(vertex);

@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Modules become programs that pipelines and dispatches take: linking, layouts, reflection, and what is refused.
-#include <rhw/bind.h>
-#include <rhw/spirv.h>
-#include <string.h>
-
-#include "harness.h"
 #include "double_comp.h"
 #include "many_comp.h"
 #include "narrow_only_comp.h"
 #include "part_frag.h"
 #include "plain_frag.h"
 #include "plain_vert.h"
+#include "spirv_run.h"
 
 #define CREATE(words, stage) create(words, sizeof(words), stage)
 
@@ -63,13 +59,7 @@ static void test_stages_are_linked_and_draw(void **state)
 
     struct rig rig;
     rig_open(&rig, 8, 8);
-    rig.pipeline.program = *rhw_shader_program_get(program);
-    rig_begin(&rig);
-    rig_use_pipeline(&rig);
-    rig_use_vertices(&rig, 0, triangle, sizeof triangle);
-    rhw_pass_set_uniforms(rig.context, rig.recording, &frame, sizeof frame);
-    rhw_pass_draw(rig.context, rig.recording, 0, 3, 0, 1);
-    rig_end(&rig);
+    spirv_draw(&rig, program, triangle, 3, &frame);
     const float(*const pixels)[4] = rig_read_float4(&rig);
     for (int i = 0; i < 64; i++) {
         assert_memory_equal(pixels[i], ((const float[4]){0.5f, 0, 0.25f, 1}), sizeof *pixels);
@@ -95,13 +85,7 @@ static void test_colors_are_complete(void **state)
     rig_open(&rig, 8, 8);
     rig_set_target(&rig, 1, RHW_FORMAT_RGBA32_UINT);
     rig_set_target(&rig, 2, RHW_FORMAT_RGBA32_FLOAT);
-    rig.pipeline.program = *rhw_shader_program_get(program);
-    rig_begin(&rig);
-    rig_use_pipeline(&rig);
-    rig_use_vertices(&rig, 0, triangle, sizeof triangle);
-    rhw_pass_set_uniforms(rig.context, rig.recording, &frame, sizeof frame);
-    rhw_pass_draw(rig.context, rig.recording, 0, 3, 0, 1);
-    rig_end(&rig);
+    spirv_draw(&rig, program, triangle, 3, &frame);
     assert_memory_equal(rig_read_float4(&rig)[9], ((const float[4]){1, 0, 0, 1}), 16);
     assert_memory_equal((const uint32_t *)rig_read(&rig, rig.pass.colors[1].texture) + 36, whole,
                         sizeof whole);
