@@ -112,10 +112,10 @@ struct shader_builder {
     uint32_t *visited;     // by id of a label: number of the call that translated it
     uint32_t call, calls;  // number of the call under way, and how many there were
     uint32_t nesting;
-    uint32_t effort;   // words that were looked at
-    uint32_t repeated; // words of loops whose rounds stand one behind the other
-    uint32_t block;    // label of the block that is being translated
-    uint32_t word;     // instruction that is being translated
+    uint32_t effort;      // words that were looked at
+    uint32_t repeated[2]; // words of rounds one behind the other, of loops without an index and with one
+    uint32_t block;       // label of the block that is being translated
+    uint32_t word;        // instruction that is being translated
     struct shader_frame *frame;
     struct shader_construct *constructs;
     uint32_t *output_homes; // by enum shader_output, or SHADER_NO_VALUE

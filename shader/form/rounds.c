@@ -6,11 +6,15 @@
 
 enum {
     MAX_ROUNDS = 64,
-    MAX_WORDS = 1 << 14, // words of all rounds of a shader
-    FEW_ROUNDS = 4,      // a loop that counts no further needs no index to save something
-    FEW_WORDS = 1 << 12, // words of all rounds of a loop without an index
+    MAX_WORDS = 1 << 14, // words of all rounds of a shader, for each of the kinds of loops
     MAX_DEPTH = 4        // operations between the counter and an index, and blocks between header and test
 };
+
+// Bounds of loops whose counter picks nothing, which save their masks, and of those whose counter picks: rounds, and
+// words of all rounds of a loop.
+static const struct {
+    uint32_t rounds, words;
+} bounds[2] = {{4, 1 << 12}, {MAX_ROUNDS, MAX_WORDS}};
 
 struct loop {
     struct shader_builder *builder;
@@ -445,15 +449,15 @@ bool shader_count_rounds(struct shader_builder *builder, struct shader_rounds *r
     rounds->from = if_true != 0 ? if_true : if_false;
     bool leaves_early = false;
     const bool has_index = picks(&loop);
-    if ((!has_index && rounds->count > FEW_ROUNDS) || !is_closed(&loop, &leaves_early)) {
+    if (rounds->count > bounds[has_index].rounds || !is_closed(&loop, &leaves_early)) {
         return false;
     }
     // What looks at all of the function comes last: few loops get here, since their words are counted.
     const uint64_t cost = cost_of(&loop, loop.begin, loop.end, 0) * (rounds->count + 1);
-    if (cost > (has_index ? MAX_WORDS : FEW_WORDS) || cost > MAX_WORDS - builder->repeated ||
+    if (cost > bounds[has_index].words || cost > MAX_WORDS - builder->repeated[has_index] ||
         has_alias(&loop) || (leaves_early && is_read_behind(&loop))) {
         return false;
     }
-    builder->repeated += (uint32_t)cost;
+    builder->repeated[has_index] += (uint32_t)cost;
     return true;
 }

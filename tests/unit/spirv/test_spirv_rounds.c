@@ -2,6 +2,7 @@
 // Rounds of loops that stand one behind the other compute what the loops do.
 #include "rounds_comp.h"
 #include "rounds_comp_small.h"
+#include "shares_comp.h"
 #include "spirv_run.h"
 
 enum { INVOCATIONS = 64, RESULTS = 8 };
@@ -111,26 +112,39 @@ static void keep(void *user, const char *text, size_t size)
     printed[*length] = 0;
 }
 
+// Print a compute shader behind the passes, and return how often a text stands there.
+static int count_printed(const uint32_t *words, size_t size, const char *text)
+{
+    const struct rhw_shader_def def = {.stage = RHW_SHADER_COMPUTE};
+    size_t length = 0;
+    int count = 0;
+    assert_int_equal(rhw_shader_print(words, size, &def, RHW_SHADER_PASSED, keep, &length, NULL), RHW_OK);
+    for (const char *at = strstr(printed, text); at; at = strstr(at + 1, text)) {
+        count++;
+    }
+    return count;
+}
+
 // Loops stay that count to what is not constant or further than the rounds that are repeated, whose counter is changed in
 // the round, that test at the end, or whose counter is no index and counts further than 4.
 static void test_only_loops_whose_rounds_are_known_are_repeated(void **state)
 {
     (void)state;
-    const struct rhw_shader_def def = {.stage = RHW_SHADER_COMPUTE};
-    size_t length = 0;
-    int loops = 0;
-    assert_int_equal(
-        rhw_shader_print(rounds_comp, sizeof rounds_comp, &def, RHW_SHADER_PASSED, keep, &length, NULL),
-        RHW_OK);
-    for (const char *at = strstr(printed, "end_loop"); at; at = strstr(at + 1, "end_loop")) {
-        loops++;
-    }
-    assert_int_equal(loops, 5);
+    assert_int_equal(count_printed(rounds_comp, sizeof rounds_comp, "end_loop"), 5);
+}
+
+// Loops without an index leave those that have one their share: four of five are repeated, and the long one behind them.
+static void test_each_kind_of_loop_has_its_share(void **state)
+{
+    (void)state;
+    assert_int_equal(count_printed(shares_comp, sizeof shares_comp, "end_loop"), 1);
+    assert_int_equal(count_printed(shares_comp, sizeof shares_comp, " 33331"), 8);
 }
 
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_rounds_compute_what_loops_do),
     cmocka_unit_test(test_only_loops_whose_rounds_are_known_are_repeated),
+    cmocka_unit_test(test_each_kind_of_loop_has_its_share),
 };
 
 const struct unit_tests test_spirv_rounds = UNIT_TESTS(tests, NULL, NULL);
