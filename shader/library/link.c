@@ -44,7 +44,7 @@ static void find_atomic(const struct shader_program *program, uint32_t value, co
 
 void shader_find_interface(const struct shader_program *program, struct shader_interface *interface)
 {
-    *interface = (struct shader_interface){.discards = false};
+    *interface = (struct shader_interface){.is_captured = program->capture_count > 0};
     for (uint32_t i = 0; i < SHADER_IN_CENTROID; i++) {
         const unsigned declared = program->interpolation[i];
         const unsigned elsewhere = declared & ~(unsigned)(SHADER_AT_CENTROID | SHADER_AT_SAMPLE);
@@ -111,15 +111,29 @@ static void add_varying(struct rhw_program *program, const struct shader_interfa
     }
 }
 
-// Return the end of the inputs from `first` on, of one location, that are read and interpolated alike.
-static uint32_t end_of_run(const struct shader_interface *fragment, uint32_t first)
+// Return the end of the inputs from `first` on, of one location, that are read and interpolated alike. Where
+// derivatives stand apart, they are asked for of all of these or of none.
+static uint32_t end_of_run(const struct shader_interface *fragment, uint32_t first, bool are_apart)
 {
     uint32_t end = first;
     do {
         end++;
     } while (end % COMPONENTS != 0 && fragment->reads[end] &&
-             fragment->interpolation[end] == fragment->interpolation[first]);
+             fragment->interpolation[end] == fragment->interpolation[first] &&
+             (!are_apart || fragment->derives[end] == fragment->derives[first]));
     return end;
+}
+
+// Return true if there is room for the varyings where derivatives stand apart, one of which is kept for W. What
+// transform feedback keeps wants the room, too.
+static bool may_be_apart(const struct shader_interface *vertex, const struct shader_interface *fragment)
+{
+    int count = vertex->is_captured ? RHW_MAX_VARYINGS : 0;
+    for (uint32_t number = 0; number < SHADER_IN_NUMBERS;) {
+        count += fragment->reads[number] ? 1 : 0;
+        number = fragment->reads[number] ? end_of_run(fragment, number, true) : number + 1;
+    }
+    return count < RHW_MAX_VARYINGS;
 }
 
 // Return false, with a message, where the vertex stage does not write an input.
@@ -148,13 +162,14 @@ static bool link_varyings(const struct shader_interface *vertex, const struct sh
                           struct shader_bytecode *vertex_code, struct shader_bytecode *fragment_code,
                           struct rhw_program *program, char *message)
 {
+    const bool are_apart = may_be_apart(vertex, fragment); // no derivatives are computed in vain
     uint32_t component = 0;
     for (uint32_t number = 0; number < SHADER_IN_NUMBERS;) {
         if (!fragment->reads[number]) {
             number++;
             continue;
         }
-        const uint32_t end = end_of_run(fragment, number);
+        const uint32_t end = end_of_run(fragment, number, are_apart);
         // One of each is kept for W.
         if (program->varying_count == RHW_MAX_VARYINGS - 1 ||
             component + end - number >= RHW_MAX_VARYING_COMPONENTS) {

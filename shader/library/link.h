@@ -17,7 +17,8 @@ struct shader_interface {
     bool built_in[SHADER_IN_COUNT];
     bool writes[SHADER_OUT_COUNT];
     bool discards, has_effects, uses_atomic_results;
-    bool samples; // something that a fragment function samples
+    bool samples;     // something that a fragment function samples
+    bool is_captured; // transform feedback keeps outputs
 };
 
 void shader_find_interface(const struct shader_program *program, struct shader_interface *interface);

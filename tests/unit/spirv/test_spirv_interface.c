@@ -5,6 +5,8 @@
 #include <math.h>
 #include <stddef.h>
 
+#include "apart_frag.h"
+#include "apart_vert.h"
 #include "attachment_frag.h"
 #include "dual_frag.h"
 #include "given_vert.h"
@@ -240,6 +242,49 @@ static void test_samples_look_at_other_places(void **state)
     close_rig(&rig, program);
 }
 
+// Varyings are split where derivatives of some components alone are asked for, as long as there may be as many.
+static void test_derivatives_stand_apart(void **state)
+{
+    (void)state;
+    struct rig rig;
+    rhw_shader_program *const program = open_rig(&rig, SPIRV_CREATE(apart_vert, RHW_SHADER_VERTEX),
+                                                 SPIRV_CREATE(apart_frag, RHW_SHADER_FRAGMENT), 1);
+    const struct rhw_program *linked = rhw_shader_program_get(program);
+    assert_int_equal(linked->varying_count, 6);
+    for (int i = 0; i < 6; i++) {
+        assert_int_equal(linked->varyings[i].components, i % 3 == 2 ? 2 : 1);
+        assert_int_equal(linked->varyings[i].derivatives, i % 3 == 1);
+    }
+    const struct rhw_shader_frame frame = {.push_size = 0};
+    struct rig_vertex vertices[3];
+    make_places(&rig, corners, vertices);
+    for (int i = 0; i < 3; i++) {
+        const float x = vertices[i].value[0], y = vertices[i].value[1];
+        memcpy(vertices[i].value, (const float[4]){y, 5 * x + y, x, 1}, sizeof vertices[i].value);
+    }
+    draw(&rig, vertices, sizeof vertices, &frame);
+    float pixels[PIXELS][4];
+    read_target(&rig, 0, pixels);
+    for (int p = 0; p < PIXELS; p++) {
+        const double x = p % WIDTH + 0.5, y = p / WIDTH + 0.5;
+        expect_near("the first", pixels[p][0], 3 * y);
+        expect_near("the second", pixels[p][1], 3 * (5 * x + y));
+        expect_near("the third", pixels[p][2], 3 * x);
+        expect_near("the derivative", pixels[p][3], 3 + 100 * 3 * 5);
+    }
+    const struct rhw_shader_constant many = {0, 31};
+    rhw_shader_program *const whole =
+        spirv_link(SPIRV_CREATE(apart_vert, RHW_SHADER_VERTEX),
+                   spirv_specialize(apart_frag, sizeof apart_frag, RHW_SHADER_FRAGMENT, &many, 1), NULL);
+    linked = rhw_shader_program_get(whole);
+    assert_int_equal(linked->varying_count, 31);
+    for (int i = 0; i < 31; i++) {
+        assert_true(linked->varyings[i].components == 4 && linked->varyings[i].derivatives);
+    }
+    rhw_shader_program_destroy(whole);
+    close_rig(&rig, program);
+}
+
 // Where a triangle covers a part of a pixel, values at its centroid are those of one of the samples, and offsets go
 // from the centre. The constant tells how much of the pixel is covered.
 static void test_centroids_lie_within_the_triangle(void **state)
@@ -430,6 +475,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_varyings_keep_their_qualifiers),
     cmocka_unit_test(test_inputs_are_taken_at_other_places),
     cmocka_unit_test(test_samples_look_at_other_places),
+    cmocka_unit_test(test_derivatives_stand_apart),
     cmocka_unit_test(test_centroids_lie_within_the_triangle),
     cmocka_unit_test(test_attachments_are_read_at_the_pixel),
     cmocka_unit_test(test_second_source_blends),
