@@ -24,6 +24,7 @@ struct shader_emitter {
     struct shader_text once;   // what is computed once a call
     struct shader_text body;   // what is computed for each group
     struct shader_text *out;   // the one that is written to
+    bool *is_float;            // by value: it is declared as a float
     const char **inlined;      // by value: the expression that stands where the value is read, or NULL
     uint32_t mask, masks;      // number of the mask of active lanes, and how many there are
     uint32_t divergence;       // structures around this place whose lanes go different ways
@@ -43,7 +44,10 @@ struct shader_emitter {
     size_t pair_count, pair_room;
 };
 
-// c_value.c. Return an operand as an expression that is a name, a literal or in brackets.
+// c_value.c. Find which values are declared as floats: what may be either is one if something takes it as one, or if it
+// comes from one.
+void shader_c_find_types(struct shader_emitter *emitter);
+// Return an operand as an expression that is a name, a literal or in brackets.
 const char *shader_c_operand(struct shader_emitter *emitter, uint32_t value, bool as_float);
 // Return an operand as an argument of a function: of literals, 8 equal lanes.
 const char *shader_c_argument(struct shader_emitter *emitter, uint32_t value, bool as_float);

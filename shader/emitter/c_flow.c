@@ -29,7 +29,7 @@ static void go_on_alive(struct shader_emitter *emitter, uint32_t came_in)
 static void write_set(struct shader_emitter *emitter, const struct shader_node *node)
 {
     const uint32_t home = node->operands[0];
-    const bool is_float = emitter->plan.is_float[home];
+    const bool is_float = emitter->is_float[home];
     const char *const name = shader_c_name(emitter, home);
     if (shader_resource_of(&emitter->plan, home) != home) {
         return; // a binding that is named once serves everywhere

@@ -207,9 +207,8 @@ static void write_own_load(struct shader_emitter *emitter, uint32_t value)
         emitter->memory, "%s%s(%s, %u, %s)", is_private ? "rhw_spirv_own" : "rhw_spirv_table",
         is_alike ? "_alike" : "", is_private ? "own" : "table", count, own_index(emitter, node, is_alike));
     shader_c_define(emitter, value,
-                    emitter->plan.is_float[value]
-                        ? shader_format(emitter->memory, "rhw_float_from_bits(%s)", text)
-                        : text,
+                    emitter->is_float[value] ? shader_format(emitter->memory, "rhw_float_from_bits(%s)", text)
+                                             : text,
                     "");
 }
 
@@ -245,7 +244,7 @@ static void write_load(struct shader_emitter *emitter, uint32_t value)
         return;
     }
     const uint32_t buffer = shader_resource_of(&emitter->plan, node->operands[0]);
-    const bool is_float = emitter->plan.is_float[value], is_one = shader_c_is_one_binding(emitter, buffer);
+    const bool is_float = emitter->is_float[value], is_one = shader_c_is_one_binding(emitter, buffer);
     if (shader_is_shared(emitter->form, value) && is_one) {
         shader_c_define(emitter, value, load_alike(emitter, node, is_float), "");
         return;

@@ -50,7 +50,7 @@ static void begin_all(struct shader_emitter *emitter)
                      groups_of[emitter->kind].mask);
     for (uint32_t value = 0; value < form->node_count; value++) {
         if (form->nodes[value].op == SHADER_HOME && emitter->plan.is_kept[value]) {
-            const bool is_float = emitter->plan.is_float[value];
+            const bool is_float = emitter->is_float[value];
             shader_text_line(&emitter->arrays, "%s h%u[GROUPS];", is_float ? "rhw_float" : "rhw_int",
                              (unsigned)value);
             shader_text_line(emitter->out, "h%u[g] = %s;", (unsigned)value,
@@ -148,6 +148,7 @@ void shader_c_write_stage(struct shader_memory *memory, const struct shader_c_pr
                                      .is_label_used =
                                          shader_take(memory, form->code_count + 1, sizeof(bool))};
     shader_make_plan(memory, form, false, &emitter.plan);
+    shader_c_find_types(&emitter);
     shader_c_find_group_samples(&emitter);
     emitter.has_batches = emitter.plan.has_cuts || emitter.sample_count > 0;
     write_body(&emitter);

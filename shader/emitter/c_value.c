@@ -61,6 +61,88 @@ static const struct notation notations[SHADER_OP_COUNT] = {
 #undef FLOATS
 #undef WHOLES
 
+// Types ----------------------------------------------------------------------------------------------
+
+// Return 1 for an operation that gives a float, 0 for one that gives an integer, −1 for one that gives either.
+static int gives_float(const struct shader_node *node)
+{
+    switch ((enum shader_op)node->op) {
+    case SHADER_CONSTANT:
+    case SHADER_HOME:
+    case SHADER_COPY:
+    case SHADER_SELECT:
+    case SHADER_LOAD: return -1;
+    case SHADER_BUILT_IN:
+        return (node->immediate >= SHADER_IN_COORD && node->immediate < SHADER_IN_COORD + 4) ||
+               (node->immediate >= SHADER_IN_SAMPLE_POSITION &&
+                node->immediate < SHADER_IN_SAMPLE_POSITION + 2) ||
+               (node->immediate >= SHADER_IN_POINT_COORD && node->immediate < SHADER_IN_POINT_COORD + 2);
+    case SHADER_INPUT:
+    case SHADER_INPUT_DX:
+    case SHADER_INPUT_DY:
+    case SHADER_INPUT_BESIDE:
+    case SHADER_INPUT_BELOW:
+    case SHADER_INPUT_AT:
+    case SHADER_SAMPLE_X:
+    case SHADER_SAMPLE_Y:
+    case SHADER_PART: return 1;
+    default: return notations[node->op].gives_float;
+    }
+}
+
+// Return true if an operation takes this operand as a float.
+static bool takes_float(const struct shader_node *node, uint32_t number)
+{
+    const uint32_t does = node->immediate & 15;
+    switch ((enum shader_op)node->op) {
+    case SHADER_INPUT_AT:
+    case SHADER_OUTPUT: return true;
+    case SHADER_SAMPLE:
+        return number >= SHADER_IMAGE_COORDINATES && number < SHADER_IMAGE_OFFSET &&
+               does != SHADER_DO_FETCH && does != SHADER_DO_LOAD && does != SHADER_DO_SIZE;
+    default: return number < 2 && notations[node->op].takes_float[number];
+    }
+}
+
+// Note what operands are declared as because of an operation that takes them, and what follows for its own value.
+static void pass_types(struct shader_emitter *emitter, uint32_t value)
+{
+    bool *const is_float = emitter->is_float;
+    struct shader_node *const nodes = emitter->form->nodes, *const node = &nodes[value];
+    const enum shader_op op = (enum shader_op)node->op;
+    const bool passes_on = gives_float(node) < 0 && op != SHADER_LOAD;
+    uint32_t count;
+    const uint32_t *const operands = shader_operands(emitter->form, node, &count);
+    for (uint32_t o = 0; o < count; o++) {
+        const bool is_either = gives_float(&nodes[operands[o]]) < 0;
+        const bool is_wanted = takes_float(node, o) ||
+                               (passes_on && is_float[value] && (op != SHADER_SELECT || o > 0)) ||
+                               (op == SHADER_SET && o == 1 && is_float[operands[0]]);
+        is_float[operands[o]] = is_float[operands[o]] || (is_either && is_wanted);
+    }
+    if (op == SHADER_SET && nodes[operands[1]].op != SHADER_CONSTANT) {
+        is_float[operands[0]] = is_float[operands[0]] || is_float[operands[1]];
+    }
+    const uint32_t from = op == SHADER_SELECT ? 1 : 0;
+    if (passes_on && nodes[operands[from]].op != SHADER_CONSTANT) {
+        is_float[value] = is_float[value] || is_float[operands[from]];
+    }
+}
+
+void shader_c_find_types(struct shader_emitter *emitter)
+{
+    const struct shader_program *const form = emitter->form;
+    emitter->is_float = shader_take(emitter->memory, form->node_count, sizeof *emitter->is_float);
+    for (uint32_t value = 0; value < form->node_count; value++) {
+        emitter->is_float[value] = gives_float(&form->nodes[value]) == 1;
+    }
+    for (int round = 0; round < 3; round++) {
+        for (uint32_t i = form->code_count; i-- > 0;) {
+            pass_types(emitter, form->code[i]);
+        }
+    }
+}
+
 // Numbers --------------------------------------------------------------------------------------------
 
 bool shader_c_is_number(const struct shader_emitter *emitter, uint32_t value, uint32_t *bits)
@@ -122,7 +204,7 @@ static const char *text_of(struct shader_emitter *emitter, uint32_t value)
 
 static const char *converted(struct shader_emitter *emitter, uint32_t value, bool as_float, const char *text)
 {
-    if (emitter->plan.is_float[value] == as_float) {
+    if (emitter->is_float[value] == as_float) {
         return text;
     }
     return shader_format(emitter->memory, as_float ? "rhw_float_from_bits(%s)" : "rhw_bits_from_float(%s)",
@@ -172,10 +254,10 @@ static const char *expression_of(struct shader_emitter *emitter, uint32_t value)
     const struct notation *const notation = &notations[op];
     const uint32_t *const operands = node->operands;
     if (op == SHADER_COPY) {
-        return shader_c_argument(emitter, operands[0], emitter->plan.is_float[value]);
+        return shader_c_argument(emitter, operands[0], emitter->is_float[value]);
     }
     if (op == SHADER_SELECT) {
-        const bool is_float = emitter->plan.is_float[value];
+        const bool is_float = emitter->is_float[value];
         return shader_format(memory, "%s(%s, %s, %s)", is_float ? "rhw_select" : "rhw_select_int",
                              shader_c_argument(emitter, operands[0], false),
                              shader_c_argument(emitter, operands[1], is_float),
@@ -208,7 +290,7 @@ void shader_c_define(struct shader_emitter *emitter, uint32_t value, const char 
                      const char *comment)
 {
     const struct shader_plan *const plan = &emitter->plan;
-    const char *const type = plan->is_float[value] ? "rhw_float" : "rhw_int";
+    const char *const type = emitter->is_float[value] ? "rhw_float" : "rhw_int";
     const char *const space = comment[0] ? " // " : "";
     if (plan->is_kept[value]) {
         shader_text_line(&emitter->arrays, "%s v%u[GROUPS];", type, (unsigned)value);

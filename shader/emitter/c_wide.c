@@ -15,7 +15,7 @@ static void begin_homes(struct shader_emitter *emitter)
 {
     const struct shader_plan *const plan = &emitter->plan;
     for (uint32_t home = plan->first_home[emitter->run]; home != 0; home = plan->next_home[home - 1]) {
-        const bool is_float = plan->is_float[home - 1];
+        const bool is_float = emitter->is_float[home - 1];
         shader_text_line(emitter->out, "%s h%u = %s;", is_float ? "rhw_float" : "rhw_int", (unsigned)home - 1,
                          shader_c_number(emitter, emitter->form->nodes[home - 1].immediate, is_float));
     }

@@ -368,117 +368,6 @@ static void find_hoisted(struct shader_plan *plan)
     }
 }
 
-// Types ----------------------------------------------------------------------------------------------
-
-// Return 1 for an operation that gives a float, 0 for one that gives an integer, −1 for one that gives either.
-static int gives_float(const struct shader_node *node)
-{
-    switch ((enum shader_op)node->op) {
-    case SHADER_CONSTANT:
-    case SHADER_HOME:
-    case SHADER_COPY:
-    case SHADER_SELECT:
-    case SHADER_LOAD: return -1;
-    case SHADER_BUILT_IN:
-        return (node->immediate >= SHADER_IN_COORD && node->immediate < SHADER_IN_COORD + 4) ||
-               (node->immediate >= SHADER_IN_SAMPLE_POSITION &&
-                node->immediate < SHADER_IN_SAMPLE_POSITION + 2) ||
-               (node->immediate >= SHADER_IN_POINT_COORD && node->immediate < SHADER_IN_POINT_COORD + 2);
-    case SHADER_FADD:
-    case SHADER_FSUB:
-    case SHADER_FMUL:
-    case SHADER_FDIV:
-    case SHADER_FMIN:
-    case SHADER_FMAX:
-    case SHADER_FSQRT:
-    case SHADER_FLOOR:
-    case SHADER_CEIL:
-    case SHADER_TRUNC:
-    case SHADER_ROUND_EVEN:
-    case SHADER_FLOAT_FROM_INT:
-    case SHADER_FLOAT_FROM_UINT:
-    case SHADER_UNPACK_LOW_HALF:
-    case SHADER_UNPACK_HIGH_HALF:
-    case SHADER_INPUT:
-    case SHADER_INPUT_DX:
-    case SHADER_INPUT_DY:
-    case SHADER_INPUT_BESIDE:
-    case SHADER_INPUT_BELOW:
-    case SHADER_INPUT_AT:
-    case SHADER_SAMPLE_X:
-    case SHADER_SAMPLE_Y:
-    case SHADER_PART: return 1;
-    default: return node->op >= SHADER_SIN && node->op <= SHADER_FREXP_FRACTION;
-    }
-}
-
-// Return true if an operation takes this operand as a float.
-static bool takes_float(const struct shader_node *node, uint32_t number)
-{
-    const enum shader_op op = (enum shader_op)node->op;
-    const uint32_t does = node->immediate & 15;
-    switch (op) {
-    case SHADER_FADD:
-    case SHADER_FSUB:
-    case SHADER_FMUL:
-    case SHADER_FDIV:
-    case SHADER_FMIN:
-    case SHADER_FMAX:
-    case SHADER_FSQRT:
-    case SHADER_FLOOR:
-    case SHADER_CEIL:
-    case SHADER_TRUNC:
-    case SHADER_ROUND_EVEN:
-    case SHADER_FEQUAL:
-    case SHADER_FLESS:
-    case SHADER_FLESS_EQUAL:
-    case SHADER_INT_FROM_FLOAT:
-    case SHADER_UINT_FROM_FLOAT:
-    case SHADER_PACK_HALVES:
-    case SHADER_INPUT_AT:
-    case SHADER_OUTPUT: return true;
-    case SHADER_SAMPLE:
-        return number >= SHADER_IMAGE_COORDINATES && number < SHADER_IMAGE_OFFSET &&
-               does != SHADER_DO_FETCH && does != SHADER_DO_LOAD && does != SHADER_DO_SIZE;
-    case SHADER_LDEXP: return number == 0;
-    default: return op >= SHADER_SIN && op <= SHADER_FREXP_EXPONENT;
-    }
-}
-
-// What may be either is a float if something takes it as one, or if it comes from one.
-static void find_types(struct shader_plan *plan)
-{
-    const struct shader_program *const form = plan->form;
-    for (uint32_t value = 0; value < form->node_count; value++) {
-        plan->is_float[value] = gives_float(&form->nodes[value]) == 1;
-    }
-    for (int round = 0; round < 3; round++) {
-        for (uint32_t i = form->code_count; i-- > 0;) {
-            const struct shader_node *const node = &form->nodes[form->code[i]];
-            const enum shader_op op = (enum shader_op)node->op;
-            const bool passes_on = gives_float(node) < 0 && op != SHADER_LOAD;
-            uint32_t count;
-            const uint32_t *const operands = operands_at(plan, i, &count);
-            for (uint32_t o = 0; o < count; o++) {
-                const bool is_either = gives_float(&form->nodes[operands[o]]) < 0;
-                const bool is_wanted =
-                    takes_float(node, o) ||
-                    (passes_on && plan->is_float[form->code[i]] && (op != SHADER_SELECT || o > 0)) ||
-                    (op == SHADER_SET && o == 1 && plan->is_float[operands[0]]);
-                plan->is_float[operands[o]] = plan->is_float[operands[o]] || (is_either && is_wanted);
-            }
-            if (op == SHADER_SET && form->nodes[operands[1]].op != SHADER_CONSTANT) {
-                plan->is_float[operands[0]] = plan->is_float[operands[0]] || plan->is_float[operands[1]];
-            }
-            const uint32_t from = op == SHADER_SELECT ? 1 : 0;
-            if (passes_on && form->nodes[operands[from]].op != SHADER_CONSTANT) {
-                plan->is_float[form->code[i]] =
-                    plan->is_float[form->code[i]] || plan->is_float[operands[from]];
-            }
-        }
-    }
-}
-
 void shader_make_plan(struct shader_memory *memory, const struct shader_program *form, bool has_steps,
                       struct shader_plan *plan)
 {
@@ -491,7 +380,6 @@ void shader_make_plan(struct shader_memory *memory, const struct shader_program 
                                  .is_step = shader_take(memory, places, sizeof(bool)),
                                  .uses = shader_take(memory, nodes, sizeof(uint32_t)),
                                  .last_use = shader_take(memory, nodes, sizeof(uint32_t)),
-                                 .is_float = shader_take(memory, nodes, sizeof(bool)),
                                  .is_hoisted = shader_take(memory, nodes, sizeof(bool)),
                                  .is_kept = shader_take(memory, nodes, sizeof(bool)),
                                  .home_run = shader_take(memory, nodes, sizeof(uint32_t))};
@@ -517,5 +405,4 @@ void shader_make_plan(struct shader_memory *memory, const struct shader_program 
     plan->first_home = shader_take(memory, last_run + 1, sizeof(uint32_t));
     plan->next_home = shader_take(memory, nodes, sizeof(uint32_t));
     find_kept(memory, plan);
-    find_types(plan);
 }

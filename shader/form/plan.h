@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What is decided about a stage before its text is written: which values are computed once a call, which are floats,
-// where each is read, and where all groups have to arrive before any goes on.
+// What is decided about a stage before its text or code is written: which values are computed once a call, where each
+// is read, and where all groups have to arrive before any goes on.
 //
 // A cut is a BARRIER, or an ATOMIC whose order among groups shows. Structure around a cut is wide: all groups go
 // through it together. The code between cuts and wide structure is a run, through which one group goes after the
@@ -33,7 +33,6 @@ struct shader_plan {
     uint32_t *run;             // by place: number of the run, or SHADER_NONE at cuts and wide structure
     bool *is_step;             // by place: a run begins here, for speed
     uint32_t *uses, *last_use; // by value: how often it is read, and a place where it is read
-    bool *is_float;            // by value: what it is declared as
     bool *is_hoisted;          // by value: it is computed once a call
     bool *is_kept;             // by value: it has an element for each group
     uint32_t *home_run;        // by value: the run that a home belongs to; SHADER_NONE: it is kept
