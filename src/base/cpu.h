@@ -12,6 +12,12 @@ bool rhw_cpu_supports(enum rhw_isa isa);
 // groups. It is at least 1.
 int rhw_cpu_cores(void);
 
+// Return the number of the core that the calling thread runs on, or -1 where the system does not tell.
+int rhw_cpu_core(void);
+
+// Move the calling thread to another core than `core`, where it may use one. From then on it may run on any again.
+void rhw_cpu_leave(int core);
+
 // Set the floating-point environment that the library promises: round to nearest, denormals kept, no traps. A program
 // that is linked with -ffast-math flushes denormals to zero in all its threads, and a thread may have set another
 // rounding mode; both would change our bytes. Work that computes texels or geometry stands between these two calls;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Cores on POSIX. On Linux they are the cores that the process may use, not all that the machine has.
 #if defined(__linux__) && !defined(_GNU_SOURCE)
-#define _GNU_SOURCE // for sched_getaffinity
+#define _GNU_SOURCE // for sched_getaffinity and sched_getcpu
 #endif
 #include "cpu.h"
 
@@ -32,5 +32,33 @@ int rhw_cpu_cores(void)
 #endif
     const long online = sysconf(_SC_NPROCESSORS_ONLN);
     return online > 0 ? (int)(online < most ? online : most) : 1;
+#endif
+}
+
+int rhw_cpu_core(void)
+{
+#if defined(__linux__)
+    return sched_getcpu();
+#else
+    return -1;
+#endif
+}
+
+// A thread that the system takes a core from is moved at once, and stays where it is when it gets the core back. Where
+// the system refuses, as some sandboxes do, it stays on `core`.
+void rhw_cpu_leave(int core)
+{
+#if defined(__linux__)
+    cpu_set_t all;
+    if (core < 0 || sched_getaffinity(0, sizeof all, &all) != 0) {
+        return;
+    }
+    cpu_set_t others = all;
+    CPU_CLR((size_t)core, &others);
+    if (CPU_COUNT(&others) > 0 && sched_setaffinity(0, sizeof others, &others) == 0) {
+        (void)sched_setaffinity(0, sizeof all, &all);
+    }
+#else
+    (void)core;
 #endif
 }

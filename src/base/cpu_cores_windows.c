@@ -17,3 +17,14 @@ int rhw_cpu_cores(void)
     }
     return count > 0 ? count : 1;
 }
+
+// Windows puts threads that wake on cores that are idle.
+int rhw_cpu_core(void)
+{
+    return -1;
+}
+
+void rhw_cpu_leave(int core)
+{
+    (void)core;
+}

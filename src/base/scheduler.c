@@ -7,6 +7,11 @@
 // Frames follow each other closely, and a sleeping thread costs tens of microseconds to wake. So a worker that finds no
 // task spins for a moment before it sleeps. It does not spin where threads share cores, because it would take the core
 // from the thread it waits for.
+//
+// Linux may wake a worker on the core of the thread that wakes it, although another is idle: most often in virtual
+// machines, whose idle cores look as if the host had taken them away, and where the program's other threads have just
+// rested. There it stays for some milliseconds, which is as long as many frames take. So a worker that finds itself on
+// the caller's core moves to another, and the caller lets it, after its first task, if it has not started by then.
 #include "scheduler.h"
 
 #include <assert.h>
@@ -58,6 +63,8 @@ struct rhw_scheduler {
     void *idle_user;
     // The thread that runs a job, or 0 where none does. What is told to other threads depends on it.
     _Atomic uintptr_t caller;
+    // The core that it ran on when it published the job, or -1 where that is not known.
+    _Atomic int caller_core;
 
     struct rhw_mutex mutex;    // guards going to sleep, and nothing else
     struct rhw_condition work; // workers sleep here
@@ -68,6 +75,15 @@ struct rhw_scheduler {
 static size_t scheduler_size(int threads)
 {
     return sizeof(struct rhw_scheduler) + (size_t)(threads - 1) * sizeof(struct worker);
+}
+
+// A worker that was woken and still sleeps may wait for the caller's core. It gets the core for long enough to move to
+// another. Where it is on its way elsewhere this takes half a microsecond.
+static void let_workers_start(const struct rhw_scheduler *scheduler)
+{
+    if (atomic_load_explicit(&scheduler->sleepers, memory_order_relaxed) != 0 && !scheduler->crowded) {
+        rhw_thread_yield();
+    }
 }
 
 // Run tasks until none is left to claim.
@@ -88,6 +104,9 @@ static void run_tasks(struct rhw_scheduler *scheduler, int worker)
         start = finished == 0 ? rhw_time_ns() : start;
         scheduler->task(scheduler->user, (int)(scheduler->count - unclaimed), worker);
         finished++;
+        if (worker == 0 && finished == 1) {
+            let_workers_start(scheduler);
+        }
         unclaimed = atomic_load_explicit(&scheduler->unclaimed, memory_order_relaxed);
     }
     if (finished == 0) {
@@ -149,6 +168,10 @@ static void sleep_until_work(struct rhw_scheduler *scheduler)
     }
     atomic_fetch_sub(&scheduler->sleepers, 1);
     rhw_mutex_unlock(&scheduler->mutex);
+    const int caller_core = atomic_load_explicit(&scheduler->caller_core, memory_order_relaxed);
+    if (caller_core >= 0 && caller_core == rhw_cpu_core() && !scheduler->crowded) {
+        rhw_cpu_leave(caller_core);
+    }
 }
 
 static void *worker_main(void *user)
@@ -246,8 +269,8 @@ enum rhw_result rhw_scheduler_create(struct rhw_memory *memory, int threads, int
     if (created == NULL) {
         return RHW_ERROR_OUT_OF_MEMORY;
     }
-    *created =
-        (struct rhw_scheduler){.threads = threads, .crowded = threads > cores, .process = rhw_process_id()};
+    *created = (struct rhw_scheduler){
+        .threads = threads, .crowded = threads > cores, .process = rhw_process_id(), .caller_core = -1};
     if (!init_locks(created)) {
         rhw_memory_release(memory, created, scheduler_size(threads));
         return RHW_ERROR_THREAD;
@@ -326,6 +349,7 @@ uint64_t rhw_scheduler_run(struct rhw_scheduler *scheduler, rhw_task_function *t
         scheduler->task = task;
         scheduler->user = user;
         scheduler->count = (uint32_t)count;
+        atomic_store_explicit(&scheduler->caller_core, rhw_cpu_core(), memory_order_relaxed);
         atomic_store_explicit(&scheduler->busy_ns, 0, memory_order_relaxed);
         atomic_store_explicit(&scheduler->unfinished, (uint32_t)count, memory_order_relaxed);
         atomic_store(&scheduler->unclaimed, (uint32_t)count);
