@@ -22,6 +22,7 @@
 #include "import/builder/polygon.h"
 #include "import/builder/readers.h"
 #include "memory_limit.h"
+#include "x3d_faces.h"
 
 _Static_assert(sizeof(ai_real) == sizeof(float), "assimp is built with single precision");
 
@@ -235,6 +236,34 @@ static void set_shadings(struct reader *reader, const struct scene_blender_shadi
     }
 }
 
+// How a mesh is shaded.
+struct shading {
+    bool has_normals;               // its own are used
+    enum scene_import_normals made; // what is used where it has none, or not these
+    bool has_creases;
+    double crease_cosine;
+    bool is_repeated; // vertices may be the same
+};
+
+static struct shading shading_of(const struct reader *reader, uint32_t index)
+{
+    enum scene_x3d_normals normals;
+    double cosine;
+    if (strcasecmp(reader->import->ending, "x3d") == 0 &&
+        scene_x3d_normals_of(reader->scene->mMeshes[index], &normals, &cosine)) {
+        const bool is_creased = normals == SCENE_X3D_CREASED;
+        return (struct shading){.has_normals = normals == SCENE_X3D_GIVEN,
+                                .made = is_creased && cosine >= 1 ? SCENE_IMPORT_FLAT : SCENE_IMPORT_SMOOTH,
+                                .has_creases = is_creased,
+                                .crease_cosine = cosine,
+                                .is_repeated = true};
+    }
+    const enum scene_blender_shading shading = reader->shadings[index];
+    return (struct shading){.has_normals = shading == SCENE_BLENDER_SMOOTH,
+                            .made = shading == SCENE_BLENDER_FLAT ? SCENE_IMPORT_FLAT : SCENE_IMPORT_SMOOTH,
+                            .is_repeated = shading != SCENE_BLENDER_SMOOTH};
+}
+
 static void add_mesh(struct reader *reader, uint32_t index)
 {
     const struct aiMesh *source = reader->scene->mMeshes[index];
@@ -251,8 +280,8 @@ static void add_mesh(struct reader *reader, uint32_t index)
         mesh.vertex_count = 0;
     }
     mesh.positions = copy_vectors(import, source->mVertices, count);
-    const enum scene_blender_shading shading = reader->shadings[index];
-    mesh.normals = shading == SCENE_BLENDER_SMOOTH ? copy_vectors(import, source->mNormals, count) : NULL;
+    const struct shading shading = shading_of(reader, index);
+    mesh.normals = shading.has_normals ? copy_vectors(import, source->mNormals, count) : NULL;
     mesh.uvs[0] = copy_uvs(import, source->mTextureCoords[0], count);
     mesh.uvs[1] = copy_uvs(import, source->mTextureCoords[1], count);
     mend_colors(import, source);
@@ -282,10 +311,11 @@ static void add_mesh(struct reader *reader, uint32_t index)
     scene_import_place_mesh(import, origin);
     reader->meshes[index] = import->model.mesh_count - 1;
     // Formats that list every corner of every face hold each vertex several times.
-    const bool repeated = (mesh.index_count == count && count > 3) || shading != SCENE_BLENDER_SMOOTH;
-    scene_import_complete_mesh(import, reader->meshes[index],
-                               shading == SCENE_BLENDER_FLAT ? SCENE_IMPORT_FLAT : SCENE_IMPORT_SMOOTH,
-                               repeated);
+    const bool repeated = (mesh.index_count == count && count > 3) || shading.is_repeated;
+    import->has_creases = shading.has_creases;
+    import->crease_cosine = shading.crease_cosine;
+    scene_import_complete_mesh(import, reader->meshes[index], shading.made, repeated);
+    import->has_creases = false;
 }
 
 // Nodes ---------------------------------------------------------------------------------------------

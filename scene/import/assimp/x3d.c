@@ -8,8 +8,8 @@
 #include "edits.h"
 #include "import/builder/decimal.h"
 #include "import/builder/find_file.h"
+#include "x3d_faces.h"
 #include "x3d_groups.h"
-#include "x3d_quads.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -115,27 +115,6 @@ static bool write_metadata(struct scene_import *import, struct scene_edits *edit
     return true;
 }
 
-// Return true if an element that begins with a tag has another one within it. One of its own kind ends it, so that many
-// in each other are not looked through again and again.
-static bool holds(const char *tag, char *close, const char *end, const char *name)
-{
-    const size_t length = strcspn(tag + 1, " \t\r\n/>");
-    while (close != NULL && close[-1] != '/') {
-        char *const next = strchr(close, '<');
-        if (next == NULL || strncmp(next + 1 + (next[1] == '/'), tag + 1, length) == 0) {
-            return false;
-        }
-        if (scene_collada_is_tag(next, name)) {
-            return true;
-        }
-        close = scene_collada_markup_end(next, end);
-        if (close != NULL && close[-1] == '/') {
-            close++; // the end of an element within, not of this one
-        }
-    }
-    return false;
-}
-
 // A switch that shows nothing.
 struct hidden {
     size_t open;   // the elements that are open, from the switch on; 0 outside
@@ -169,17 +148,14 @@ static bool is_zero(struct scene_collada_value value)
     return scene_decimal_read(value.text, value.text + value.length, &number) != NULL && number == 0.0;
 }
 
-// Tell of an angle up to which a surface without normals is to be smooth, as assimp does not say it.
-static void tell_crease_angle(struct scene_import *import, char *tag, char *close, const char *end)
+// Tell of an angle up to which an extrusion is to be smooth, as assimp does not say it.
+static void tell_crease_angle(struct scene_import *import, char *tag, char *close)
 {
-    static const char *const surfaces[] = {"IndexedFaceSet", "ElevationGrid", "Extrusion"};
-    for (size_t i = 0; i < sizeof surfaces / sizeof surfaces[0]; i++) {
-        const struct scene_collada_value angle = scene_collada_is_tag(tag, surfaces[i])
-                                                     ? scene_collada_attribute(tag, close, "creaseAngle")
-                                                     : (struct scene_collada_value){NULL, 0};
-        if (angle.text != NULL && !is_zero(angle) && !holds(tag, close, end, "Normal")) {
-            scene_import_unsupported(import, "crease angles (X3D): not used");
-        }
+    const struct scene_collada_value angle = scene_collada_is_tag(tag, "Extrusion")
+                                                 ? scene_collada_attribute(tag, close, "creaseAngle")
+                                                 : (struct scene_collada_value){NULL, 0};
+    if (angle.text != NULL && !is_zero(angle)) {
+        scene_import_unsupported(import, "crease angles of extrusions (X3D): not used");
     }
 }
 
@@ -190,7 +166,7 @@ static char *write_tags(struct scene_import *import, char *source, size_t *size)
     struct scene_edits edits = {0};
     // Many sets that use one list of points would each have indices of all of it.
     const size_t room = (size_t)1 << 23, per_byte = 8;
-    struct scene_x3d_quads quads = {.largest = room + per_byte * *size};
+    struct scene_x3d_faces faces = {.largest = room + per_byte * *size};
     struct hidden hidden = {0};
     char *close;
     for (char *tag = strchr(text, '<'); tag != NULL; tag = strchr(close, '<')) {
@@ -202,15 +178,15 @@ static char *write_tags(struct scene_import *import, char *source, size_t *size)
         if (strncmp(tag, "<!---->", 7) == 0) { // a comment that assimp takes for a node
             scene_edits_add_string(import, &edits, (size_t)(tag + 4 - text), 0, SCENE_X3D_FILLER);
         } else if (!write_metadata(import, &edits, text, tag, close) &&
-                   !scene_assimp_write_quads(import, &edits, &quads, text, tag, close, text + *size) &&
+                   !scene_assimp_write_faces(import, &edits, &faces, text, tag, close, text + *size) &&
                    !scene_assimp_write_group(import, &edits, text, tag, close)) {
             write_address(import, &edits, text, tag, close);
             if (hidden.open == 0 || hidden.is_named) {
-                tell_crease_angle(import, tag, close, text + *size);
+                tell_crease_angle(import, tag, close);
             }
         }
     }
-    scene_x3d_free_names(&quads.names);
+    scene_x3d_free_faces(&faces);
     char *const written = scene_edits_apply(import, &edits, text, size);
     if (written == NULL) {
         return text;

@@ -98,6 +98,9 @@ struct scene_import {
     bool has_floats_alone;
     // Nothing in the format says which side of a surface is the front.
     bool sides_are_open;
+    // Smooth normals of meshes are made across edges up to an angle of this cosine, or the usual one (smooth.c).
+    bool has_creases;
+    double crease_cosine;
     // Looks at corners that polygons took beyond what is usual, and polygons that became fans for it (polygon.c).
     uint64_t more_looks;
     uint32_t fan_count;

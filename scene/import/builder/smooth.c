@@ -4,6 +4,7 @@
 // these alone are sorted by point, and compared with each other.
 #include "smooth.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -13,14 +14,14 @@
 
 // The cosine of 60°. Two faces that meet at a sharper angle have an edge between them that is meant to be seen.
 // Neighbours on anything modelled as round meet at less; the faces of boxes and the rims of pipes meet at more.
-static const double crease_cosine = 0.5;
+static const double usual_crease_cosine = 0.5;
 
 // The cosine of 30°. Programs that make quads of triangles in pairs make some across an edge that is meant to be seen.
 // Quads of round surfaces are folded by less.
 static const double fold_cosine = 0.8660254037844387;
 
 // The cosine of 30°. Of faces that are no further from one axis, no two are a crease apart.
-static const double even_cosine = 0.8660254037844387;
+static const double usual_even_cosine = 0.8660254037844387;
 
 // The most faces around one point that are compared pair by pair. Where more meet, as only a hostile file has it, all
 // are averaged.
@@ -42,6 +43,7 @@ struct corner {
 
 struct smoothing {
     const struct scene_mesh *mesh;
+    double crease_cosine, even_cosine;
     double (*faces)[3];       // unit normals
     const uint32_t *polygons; // polygon of each face; NULL if no face was cut from one
     bool *folded;             // faces next to a fold of their polygon; NULL if there are no polygons
@@ -148,7 +150,7 @@ static uint32_t find_uneven(struct smoothing *smoothing)
         const uint32_t *const corners = mesh->indices + 3 * (size_t)face;
         for (uint32_t k = 0; k < 3; k++) {
             struct point *const point = &points[point_of_vertex[corners[k]]];
-            if (is_folded || !(scene_dot(point->axis, normal) >= even_cosine)) {
+            if (is_folded || !(scene_dot(point->axis, normal) >= smoothing->even_cosine)) {
                 point->is_uneven |= point->face_count <= MOST_FACES;
             }
         }
@@ -196,7 +198,7 @@ static void sum_faces(const struct smoothing *smoothing, struct corners corners,
     memset(sum, 0, 3 * sizeof *sum);
     for (uint32_t i = 0; i < corners.count; i++) {
         const double *face = face_of(smoothing, &corners.list[i]);
-        if (axis != NULL && scene_dot(axis, face) < crease_cosine) {
+        if (axis != NULL && scene_dot(axis, face) < smoothing->crease_cosine) {
             continue;
         }
         for (int c = 0; c < 3; c++) {
@@ -229,7 +231,7 @@ static bool are_joined(const struct smoothing *smoothing, const struct corner *a
     const bool meet = ends[0][0] == ends[1][0] || ends[0][0] == ends[1][1] || ends[0][1] == ends[1][0] ||
                       ends[0][1] == ends[1][1];
     return meet && !are_folded(smoothing, corners[0] / 3, corners[1] / 3) &&
-           scene_dot(face_of(smoothing, a), face_of(smoothing, b)) >= crease_cosine;
+           scene_dot(face_of(smoothing, a), face_of(smoothing, b)) >= smoothing->crease_cosine;
 }
 
 // Reorder the corners so that corners whose faces are joined, one with the next, stand together. Return how many there
@@ -261,7 +263,7 @@ static bool are_even(const struct smoothing *smoothing, struct corners corners)
     }
     sum_faces(smoothing, corners, NULL, axis);
     scene_vector_unit(axis);
-    return all_within(smoothing, corners, axis, even_cosine);
+    return all_within(smoothing, corners, axis, smoothing->even_cosine);
 }
 
 // Give a group its normals. It has one, so that a ridge is not torn where it is a little sharper, unless its faces look
@@ -274,7 +276,7 @@ static void smooth_group(struct smoothing *smoothing, struct corners group, uint
     memcpy(axis, all, sizeof axis);
     scene_vector_unit(axis);
     scene_vector_to_normal(all, normal);
-    const bool one = group.count > MOST_FACES || all_within(smoothing, group, axis, crease_cosine);
+    const bool one = group.count > MOST_FACES || all_within(smoothing, group, axis, smoothing->crease_cosine);
     for (uint32_t i = 0; i < group.count; i++) {
         struct corner *const corner = &group.list[i];
         if (!one) {
@@ -394,7 +396,12 @@ static void release(struct smoothing *smoothing)
 void scene_import_make_smooth(struct scene_import *import, struct scene_mesh *mesh, const uint32_t *polygons)
 {
     const uint32_t vertices = mesh->vertex_count;
-    struct smoothing smoothing = {.mesh = mesh};
+    struct smoothing smoothing = {
+        .mesh = mesh, .crease_cosine = usual_crease_cosine, .even_cosine = usual_even_cosine};
+    if (import->has_creases) { // half the angle between them
+        smoothing.crease_cosine = import->crease_cosine;
+        smoothing.even_cosine = sqrt((1 + import->crease_cosine) / 2);
+    }
     smoothing.point = scene_import_weld_positions(import, mesh);
     smoothing.faces = scene_import_allocate_any(import, face_total(&smoothing), sizeof *smoothing.faces);
     smoothing.points = scene_import_allocate(import, vertices, sizeof *smoothing.points);

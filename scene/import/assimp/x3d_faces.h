@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// Faces of an X3D as assimp reads them.
+#ifndef SCENE_IMPORT_X3D_FACES_H
+#define SCENE_IMPORT_X3D_FACES_H
+
+#include "collada_markup.h"
+#include "edits.h"
+#include "x3d_names.h"
+
+struct aiMesh;
+
+/// What is kept between the tags of a document. At its beginning all but `largest` is zero.
+struct scene_x3d_faces {
+    size_t written, largest; ///< bytes of all sets that were written, and how many they may be
+    size_t end;              ///< where the set ends that was written last
+    const char *end_name;    ///< what it is called at its end; NULL where it keeps its name
+    struct scene_x3d_names
+        lists; ///< points, normals, colours and texture coordinates: where their numbers stand
+    struct scene_x3d_names sets; ///< their size is 1 where the set was written, and 0 where it was left out
+};
+
+/// What a set says of its normals.
+enum scene_x3d_normals {
+    SCENE_X3D_OPEN,   ///< nothing: they are made as for other formats
+    SCENE_X3D_GIVEN,  ///< it has them
+    SCENE_X3D_CREASED ///< they are made, up to an angle
+};
+
+/// Write a tag of a set of faces, from `tag` to `close`, or of what belongs to its corners. The document begins at
+/// `text`. Return false if it is another tag. Tell of sets that cannot be written.
+bool scene_assimp_write_faces(struct scene_import *import, struct scene_edits *edits,
+                              struct scene_x3d_faces *faces, const char *text, char *tag, char *close,
+                              const char *end);
+/// Find what a set that was written says of the normals of the mesh that it has become. Set the cosine of its crease
+/// angle where it says SCENE_X3D_CREASED, 1 where all faces are flat. Return false for another mesh.
+bool scene_x3d_normals_of(const struct aiMesh *mesh, enum scene_x3d_normals *normals, double *cosine);
+void scene_x3d_free_faces(struct scene_x3d_faces *faces);
+
+#endif

@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: MIT
+// The nodes of X3D that have faces or lines, and how each counts what belongs to its corners.
+#include "x3d_set.h"
+
+#include "import/builder/import.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static const struct scene_x3d_property properties[] = {
+    {"Coordinate", "point", "Coordinate", SCENE_X3D_POINTS, 3},
+    {"CoordinateDouble", "point", "Coordinate", SCENE_X3D_POINTS, 3},
+    {"Normal", "vector", "Normal", SCENE_X3D_NORMALS, 3},
+    {"Color", "color", "Color", SCENE_X3D_COLORS, 3},
+    {"ColorRGBA", "color", "ColorRGBA", SCENE_X3D_COLORS, 4},
+    {"TextureCoordinate", "point", "TextureCoordinate", SCENE_X3D_PLACES, 2},
+};
+
+static const struct scene_x3d_kind kinds[] = {
+    {"IndexedFaceSet", SCENE_X3D_POLYGONS, "coordIndex", NULL, true},
+    {"IndexedTriangleSet", SCENE_X3D_TRIANGLES, "index", NULL, false},
+    {"IndexedTriangleFanSet", SCENE_X3D_FANS, "index", NULL, false},
+    {"IndexedTriangleStripSet", SCENE_X3D_STRIPS, "index", NULL, false},
+    {"IndexedQuadSet", SCENE_X3D_QUADS, "index", NULL, false},
+    {"TriangleSet", SCENE_X3D_TRIANGLES, NULL, NULL, false},
+    {"TriangleFanSet", SCENE_X3D_FANS, NULL, "fanCount", false},
+    {"TriangleStripSet", SCENE_X3D_STRIPS, NULL, "stripCount", false},
+    {"QuadSet", SCENE_X3D_QUADS, NULL, NULL, false},
+    {"ElevationGrid", SCENE_X3D_POLYGONS, NULL, NULL, true},
+    {"IndexedLineSet", SCENE_X3D_LINES, "coordIndex", NULL, false},
+    {"LineSet", SCENE_X3D_LINES, NULL, "vertexCount", false},
+};
+
+const struct scene_x3d_property *scene_x3d_find_property(const char *tag)
+{
+    for (size_t i = 0; i < sizeof properties / sizeof properties[0]; i++) {
+        if (scene_collada_is_tag(tag, properties[i].name)) {
+            return &properties[i];
+        }
+    }
+    return NULL;
+}
+
+const struct scene_x3d_kind *scene_x3d_find_kind(const char *tag)
+{
+    for (size_t i = 0; i < sizeof kinds / sizeof kinds[0]; i++) {
+        if (scene_collada_is_tag(tag, kinds[i].name)) {
+            return &kinds[i];
+        }
+    }
+    return NULL;
+}
+
+bool scene_x3d_is_quads(const struct scene_x3d_kind *kind)
+{
+    return kind->order == SCENE_X3D_QUADS;
+}
+
+bool scene_x3d_is_lines(const struct scene_x3d_kind *kind)
+{
+    return kind->order == SCENE_X3D_LINES;
+}
+
+static bool is_grid(const struct scene_x3d_kind *kind)
+{
+    return kind->has_crease_angle && kind->index == NULL;
+}
+
+static bool is_false(struct scene_collada_value value)
+{
+    static const char word[] = "false";
+    return value.text != NULL && value.length == strlen(word) && memcmp(value.text, word, value.length) == 0;
+}
+
+struct scene_collada_value scene_x3d_list_of(const struct scene_x3d_names *lists, const char *text, char *tag,
+                                             char *close, const struct scene_x3d_property *property)
+{
+    const struct scene_collada_value use = scene_collada_attribute(tag, close, "USE");
+    struct scene_collada_value list = scene_collada_attribute(tag, close, property->list);
+    if (use.text != NULL) {
+        const struct scene_x3d_name *const used = scene_x3d_find_name(lists, use);
+        list = used == NULL ? (struct scene_collada_value){NULL, 0}
+                            : (struct scene_collada_value){(char *)(uintptr_t)(text + used->at), used->size};
+    }
+    for (size_t i = 0; i < list.length; i++) {
+        if (strchr("'\"<&", list.text[i]) != NULL) {
+            return (struct scene_collada_value){NULL, 0};
+        }
+    }
+    return list;
+}
+
+// Give a set what its heights make: points, and texture coordinates where it has none.
+static void add_grid(struct scene_import *import, struct scene_x3d_set *set)
+{
+    if (scene_x3d_read_grid(import, set->tag, set->close, &set->grid)) {
+        const struct scene_collada_value points = {set->grid.points, strlen(set->grid.points)};
+        const struct scene_collada_value places = {set->grid.places, strlen(set->grid.places)};
+        set->parts[SCENE_X3D_POINTS] =
+            (struct scene_x3d_part){.property = scene_x3d_find_property("<Coordinate>"), .list = points};
+        if (set->parts[SCENE_X3D_PLACES].property == NULL) {
+            set->parts[SCENE_X3D_PLACES] = (struct scene_x3d_part){
+                .property = scene_x3d_find_property("<TextureCoordinate>"), .list = places};
+        }
+    }
+}
+
+const char *scene_x3d_find_parts(const struct scene_x3d_names *lists, const char *text,
+                                 struct scene_x3d_set *set, const char *end)
+{
+    const size_t length = strlen(set->kind->name);
+    char *close = set->close;
+    if (close[-1] == '/') {
+        return is_grid(set->kind) ? close : NULL;
+    }
+    for (char *tag = strchr(close, '<'); tag != NULL; tag = strchr(close, '<')) {
+        if (strncmp(tag + 1 + (tag[1] == '/'), set->kind->name, length) == 0) {
+            return tag[1] == '/' ? tag : NULL;
+        }
+        close = scene_collada_markup_end(tag, end);
+        if (close == NULL) {
+            return NULL;
+        }
+        const struct scene_x3d_property *const property = scene_x3d_find_property(tag);
+        if (property != NULL && set->parts[property->purpose].property == NULL) {
+            set->parts[property->purpose] =
+                (struct scene_x3d_part){.property = property,
+                                        .tag = tag,
+                                        .close = close,
+                                        .list = scene_x3d_list_of(lists, text, tag, close, property)};
+        }
+    }
+    return NULL;
+}
+
+// Return the indices of a set, or those that follow from its numbers of corners, or each number once.
+static struct scene_x3d_indices read_index(struct scene_import *import, const struct scene_x3d_set *set,
+                                           size_t points)
+{
+    if (set->kind->index != NULL) {
+        return scene_x3d_read_indices(import,
+                                      scene_collada_attribute(set->tag, set->close, set->kind->index));
+    }
+    const struct scene_collada_value counts =
+        set->kind->counts == NULL ? (struct scene_collada_value){NULL, 0}
+                                  : scene_collada_attribute(set->tag, set->close, set->kind->counts);
+    return scene_x3d_count_up(import, counts, points);
+}
+
+// Read how a set counts what belongs to its corners.
+static void read_ways(struct scene_import *import, struct scene_x3d_set *set)
+{
+    static const char *const indices[SCENE_X3D_PURPOSES] = {[SCENE_X3D_NORMALS] = "normalIndex",
+                                                            [SCENE_X3D_COLORS] = "colorIndex",
+                                                            [SCENE_X3D_PLACES] = "texCoordIndex"};
+    static const char *const flags[SCENE_X3D_PURPOSES] = {
+        [SCENE_X3D_NORMALS] = "normalPerVertex", [SCENE_X3D_COLORS] = "colorPerVertex"};
+    const size_t points = set->parts[SCENE_X3D_POINTS].numbers.count / 3;
+    for (int i = SCENE_X3D_NORMALS; i < SCENE_X3D_PURPOSES; i++) {
+        struct scene_x3d_part *const part = &set->parts[i];
+        part->is_of_faces =
+            flags[i] != NULL && is_false(scene_collada_attribute(set->tag, set->close, flags[i]));
+        if (part->property == NULL) {
+            continue;
+        }
+        if (set->kind->index != NULL &&
+            (set->kind->order == SCENE_X3D_POLYGONS || scene_x3d_is_lines(set->kind))) {
+            part->index =
+                scene_x3d_read_indices(import, scene_collada_attribute(set->tag, set->close, indices[i]));
+        }
+        if (!part->is_of_faces && scene_x3d_same_indices(&part->index, &set->index)) {
+            part->index.count = 0;
+        }
+        set->is_parted = set->is_parted || part->is_of_faces || part->index.count > 0 ||
+                         part->numbers.count / part->property->width != points;
+    }
+}
+
+enum scene_x3d_found scene_x3d_read_set(struct scene_import *import, struct scene_x3d_set *set)
+{
+    if (is_grid(set->kind)) {
+        add_grid(import, set);
+    }
+    if (set->parts[SCENE_X3D_POINTS].list.text == NULL) {
+        return SCENE_X3D_NOTHING;
+    }
+    for (int i = 0; i < SCENE_X3D_PURPOSES; i++) {
+        set->parts[i].numbers = scene_x3d_read_numbers(import, set->parts[i].list);
+    }
+    const size_t points = set->parts[SCENE_X3D_POINTS].numbers.count / 3;
+    const bool is_turned = is_false(scene_collada_attribute(set->tag, set->close, "ccw"));
+    set->index = is_grid(set->kind) ? set->grid.index : read_index(import, set, points);
+    const enum scene_x3d_found found =
+        scene_x3d_find_corners(import, &set->index, set->kind->order, is_turned, points, &set->corners);
+    if (set->corners.has_short) {
+        scene_import_unsupported(import, scene_x3d_is_lines(set->kind)
+                                             ? "lines of one point (X3D): left out"
+                                             : "faces of fewer than three corners (X3D): left out");
+    }
+    if (found == SCENE_X3D_FACES) {
+        read_ways(import, set);
+    }
+    return found;
+}
+
+void scene_x3d_free_set(const struct scene_x3d_set *set)
+{
+    for (int i = 0; i < SCENE_X3D_PURPOSES; i++) {
+        free(set->parts[i].numbers.list);
+        free(set->parts[i].index.list);
+    }
+    free(set->index.list); // a grid has the same one
+    free(set->grid.points);
+    free(set->grid.places);
+    free(set->corners.list);
+    free(set->corners.faces);
+}
