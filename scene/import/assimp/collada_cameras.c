@@ -43,10 +43,10 @@ static char *read_lens(char *close, const char *end, struct lens *lens)
     bool is_common = false;
     for (char *c = strchr(close, '<'); c != NULL; c = strchr(c, '<')) {
         char *const last = scene_collada_markup_end(c, end);
-        if (last == NULL || strncmp(c, "</camera", strlen("</camera")) == 0) {
+        if (last == NULL || scene_collada_is_end(c, "camera")) {
             return last;
         }
-        const bool ends_common = strncmp(c, "</technique_common", strlen("</technique_common")) == 0;
+        const bool ends_common = scene_collada_is_end(c, "technique_common");
         is_common = (is_common && !ends_common) || scene_collada_is_tag(c, "technique_common");
         if (is_common) {
             lens->is_orthographic = lens->is_orthographic || scene_collada_is_tag(c, "orthographic");

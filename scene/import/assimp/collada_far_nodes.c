@@ -260,7 +260,7 @@ static void read_nodes(struct nodes *nodes, char *text)
                    is_empty = is_start && close[-1] == '/';
         const bool is_child = nodes->open_count > 0 && nodes->open[nodes->open_count - 1].depth == depth;
         if (c[1] == '/') {
-            if (is_child && strncmp(c, "</node", strlen("</node")) == 0) {
+            if (is_child && scene_collada_is_end(c, "node")) {
                 close_node(nodes);
             }
             depth -= depth > 0;

@@ -48,7 +48,7 @@ static void look_at_transparency(struct look *look, char *tag, char *close)
         look->is_transparent = close[-1] != '/';
         look->is_by_color = is_value(mode, "RGB_ZERO") || is_value(mode, "RGB_ONE");
         look->is_inverted = is_value(mode, "RGB_ZERO") || is_value(mode, "A_ZERO");
-    } else if (strncmp(tag, "</transparent", strlen("</transparent")) == 0) {
+    } else if (scene_collada_is_end(tag, "transparent")) {
         look->is_transparent = false;
     } else if (look->is_transparent && look->is_inverted && scene_collada_is_tag(tag, "texture")) {
         scene_import_unsupported(look->import, "inverted textures: drawn as they are");
@@ -70,7 +70,7 @@ static void look_at_effect(struct look *look, const char *tag)
     for (size_t i = 0; i < sizeof programs / sizeof programs[0]; i++) {
         look->has_program = look->has_program || scene_collada_is_tag(tag, programs[i]);
     }
-    if (strncmp(tag, "</effect>", strlen("</effect>")) == 0 && look->has_program && !look->has_common) {
+    if (scene_collada_is_end(tag, "effect") && look->has_program && !look->has_common) {
         scene_import_unsupported(look->import, "materials that are programs alone (Collada): drawn plain");
     }
 }

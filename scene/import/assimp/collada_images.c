@@ -47,7 +47,7 @@ static char *find_image_end(char *close, const char *end, bool *is_named)
         char *const last = scene_collada_markup_end(c, end);
         const bool has_text = !is_blank(text, c) || strncmp(c, "<![CDATA[", strlen("<![CDATA[")) == 0;
         *is_named = *is_named || (is_within && has_text) || strncmp(c, "<create_", strlen("<create_")) == 0;
-        if (last == NULL || strncmp(c, "</image", strlen("</image")) == 0) {
+        if (last == NULL || scene_collada_is_end(c, "image")) {
             return last;
         }
         if (c[1] != '!' && c[1] != '?') {

@@ -42,6 +42,11 @@ bool scene_collada_is_tag(const char *tag, const char *name)
     return scene_collada_is_blank(after) || after == '/' || after == '>';
 }
 
+bool scene_collada_is_end(const char *tag, const char *name)
+{
+    return tag[1] == '/' && scene_collada_is_tag(tag + 1, name);
+}
+
 struct scene_collada_value scene_collada_attribute(char *tag, char *close, const char *name)
 {
     const size_t length = strlen(name);

@@ -19,6 +19,8 @@ char *scene_collada_markup_end(char *start, const char *end);
 bool scene_collada_is_blank(char c);
 /// Return true for a start tag of this name, or an empty one.
 bool scene_collada_is_tag(const char *tag, const char *name);
+/// Return true for an end tag of this name.
+bool scene_collada_is_end(const char *tag, const char *name);
 /// Return the value of an attribute of the tag that ends at `close`.
 struct scene_collada_value scene_collada_attribute(char *tag, char *close, const char *name);
 

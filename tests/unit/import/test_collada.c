@@ -271,7 +271,9 @@ static void test_cameras(void **state)
             text, sizeof text,
             "%.*s<unit meter=\"0.01\"/>%.*s<library_cameras>%s<optics><technique_common>%s</technique_common>"
             "<technique "
-            "profile=\"x\"><xfov>1</xfov></technique></optics><extra/></camera></library_cameras>%.*s"
+            "profile=\"x\"><xfov>1</xfov></technique></optics><extra><technique><camera_target/"
+            "><camera_target>"
+            "</camera_target></technique></extra></camera></library_cameras>%.*s"
             "<node><instance_camera url=\"#eye\"/></node>%s",
             (int)(unit - document), document, (int)(library - unit), unit, names[i % 2], cases[i / 2].lens,
             (int)(place - library), library, place);
