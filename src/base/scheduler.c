@@ -52,6 +52,7 @@ struct rhw_scheduler {
     _Alignas(RHW_CACHE_LINE) rhw_task_function *task;
     void *user;
     uint32_t count;
+    uint32_t left_asleep; // workers that the job does not wake
     int threads;
     bool crowded;      // more threads than cores
     uintptr_t process; // the process that has the workers
@@ -81,7 +82,8 @@ static size_t scheduler_size(int threads)
 // another. Where it is on its way elsewhere this takes half a microsecond.
 static void let_workers_start(const struct rhw_scheduler *scheduler)
 {
-    if (atomic_load_explicit(&scheduler->sleepers, memory_order_relaxed) != 0 && !scheduler->crowded) {
+    const uint32_t sleepers = atomic_load_explicit(&scheduler->sleepers, memory_order_relaxed);
+    if (sleepers > scheduler->left_asleep && !scheduler->crowded) {
         rhw_thread_yield();
     }
 }
@@ -191,6 +193,7 @@ static void *worker_main(void *user)
 static void wake_workers(struct rhw_scheduler *scheduler, uint32_t wanted)
 {
     const uint32_t sleepers = atomic_load(&scheduler->sleepers);
+    scheduler->left_asleep = sleepers > wanted ? sleepers - wanted : 0;
     if (sleepers == 0) {
         return;
     }
