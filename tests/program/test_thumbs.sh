@@ -129,6 +129,22 @@ for option in "" --force; do
     check "a pipe $option: is there" test -p other/cube.obj.png
 done
 
+# Where a picture should be is a link that came with the models: what it leads to is none of theirs.
+mkdir -p among outside
+cp cube.obj cube.mtl among
+cp among/cube.obj among/other.obj
+echo mine >outside/mine
+ln -s ../outside/mine among/cube.obj.png
+ln -s third among/other.obj.png
+echo "not newer" >among/third
+touch -d '1 hour ago' outside/mine among/third
+run thumbs among -o among --size 16
+check "a link out: status" test "$status" = 1
+check "a link out: the others" grep -q "^1 drawn, 0 kept, 1 failed$" "$folder/log/out"
+check "a link out: a line" grep -q "^rhw: among/cube.obj.png: is a link out of among; no picture is written there$" "$folder/log/err"
+check "a link out: what it leads to" grep -q '^mine$' outside/mine
+check "a link within" test "$(size_of among/third)" = 16x16
+
 refuse 2 "thumbs: -o OUT is missing" thumbs in
 refuse 2 "--out: '': a folder needs a name" thumbs in -o ''
 refuse 2 "--background: 'puce' is not a colour" thumbs in -o out --background puce

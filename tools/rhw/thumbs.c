@@ -143,22 +143,49 @@ static bool start_drawing(const struct thumbs *t, const char *model, const char 
     return system_subprocess_start(draw, count, (char **)arguments);
 }
 
-// Whether something is there that is no file. A pipe would be waited for, to read it and to write it.
-static bool is_taken(const char *picture)
+// Whether a path without links lies in a folder; `length`: of the folder, without a slash at its end.
+static bool lies_in(const char *path, const char *folder, size_t *length)
+{
+    *length = strlen(folder);
+    *length -= *length > 0 && folder[*length - 1] == '/'; // of the root
+    return strncmp(path, folder, *length) == 0 && (path[*length] == '/' || path[*length] == '\0');
+}
+
+// Whether a file, which may be a link, lies in a folder.
+static bool is_within(const char *path, const char *folder)
+{
+    char *const target = system_file_resolve(path), *const bounds = system_file_resolve(folder);
+    size_t length;
+    const bool within = target && bounds && lies_in(target, bounds, &length);
+    free(target);
+    free(bounds);
+    return within;
+}
+
+// Whether no picture is to be written there. A pipe would be waited for, to read it and to write it. A link that leads
+// out of OUT came with the models, where OUT lies among them, and may lead to a file that is none of theirs.
+static bool is_taken(const struct thumbs *t, const char *picture)
 {
     struct stat status;
-    const bool taken = stat(picture, &status) == 0 && !S_ISREG(status.st_mode);
-    if (taken) {
-        cli_error(picture, "is there and is no regular file; no picture is written there");
+    if (stat(picture, &status) != 0) {
+        return false;
     }
-    return taken;
+    if (!S_ISREG(status.st_mode)) {
+        cli_error(picture, "is there and is no regular file; no picture is written there");
+        return true;
+    }
+    if (system_file_is_link(picture) && !is_within(picture, t->out)) {
+        cli_error(picture, "is a link out of %s; no picture is written there", t->out);
+        return true;
+    }
+    return false;
 }
 
 // `depth`: folders below DIR.
 static bool start(struct thumbs *t, const char *model, const char *picture, int depth)
 {
     char mark[CLI_THUMB_MARK_SIZE];
-    if (is_taken(picture)) {
+    if (is_taken(t, picture)) {
         t->failed++;
         return true;
     }
@@ -215,14 +242,6 @@ static const char *folder_of(const struct thumbs *t)
     return t->budget.folder ? t->budget.folder : t->in;
 }
 
-// Whether a path without links lies in a folder; `length`: of the folder, without a slash at its end.
-static bool lies_in(const char *path, const char *folder, size_t *length)
-{
-    *length = strlen(folder);
-    *length -= *length > 0 && folder[*length - 1] == '/'; // of the root
-    return strncmp(path, folder, *length) == 0 && (path[*length] == '/' || path[*length] == '\0');
-}
-
 // How many folders --confine lies above DIR, or −1: it lies elsewhere. A path would make the bytes of pictures depend
 // on where the models lie.
 static int count_levels(const struct thumbs *t)
@@ -245,17 +264,7 @@ static int count_levels(const struct thumbs *t)
 // meant a file that is none of theirs.
 static bool leads_out(const struct thumbs *t, const char *link)
 {
-    char *const target = system_file_resolve(link);
-    const char *const folders[] = {t->in, folder_of(t)};
-    bool within = false;
-    for (size_t i = 0; target && i < sizeof folders / sizeof *folders && !within; i++) {
-        char *const folder = system_file_resolve(folders[i]);
-        size_t length;
-        within = folder && lies_in(target, folder, &length);
-        free(folder);
-    }
-    free(target);
-    return !within;
+    return !is_within(link, t->in) && !is_within(link, folder_of(t));
 }
 
 static bool walk(struct thumbs *t, const char *in, const char *out, int depth);
