@@ -40,10 +40,11 @@ def write_gltf(count, has_images):
     return "many.gltf"
 
 
-def write_obj(count):
-    """Each object with a material of its own."""
+def write_obj(count, has_textures):
+    """Each object with a material of its own, and a texture that is not there where it has one."""
     with open("many.mtl", "w", encoding="utf-8") as file:
-        file.writelines(f"newmtl m{i}\nKd 0.{i % 10} 0 0\n" for i in range(count))
+        texture = "map_Kd none{}.png\n" if has_textures else ""
+        file.writelines(f"newmtl m{i}\nKd 0.{i % 10} 0 0\n" + texture.format(i) for i in range(count))
     with open("many.obj", "w", encoding="utf-8") as file:
         file.write("mtllib many.mtl\n")
         for i in range(count):
@@ -69,7 +70,8 @@ def main():
     rhw, is_small = sys.argv[1], sys.argv[2:] == ["small"]
     rows = [("objects", 5000, lambda count: write_gltf(count, False)),
             ("images", 1250, lambda count: write_gltf(count, True)),
-            ("objects of OBJ", 5000, write_obj)]
+            ("objects of OBJ", 5000, lambda count: write_obj(count, False)),
+            ("textures of OBJ", 5000, lambda count: write_obj(count, True))]
     wrong = 0
     for name, number, write in rows:
         few = number // 10 if is_small else number

@@ -95,13 +95,13 @@ static bool match_case(struct scene_import *import, char *path, char *component)
     if (folder == NULL || folder->count == 0) {
         return access(path, F_OK) == 0;
     }
-    const char *const *const names = (const char *const *)folder->names;
+    char *const name = component;
+    if (bsearch(&name, folder->names, folder->count, sizeof *folder->names, compare_names) != NULL) {
+        return true;
+    }
     const char *other = NULL;
-    for (size_t i = 0; i < folder->count; i++) {
-        if (strcmp(names[i], component) == 0) {
-            return true;
-        }
-        other = other == NULL && strcasecmp(names[i], component) == 0 ? names[i] : other;
+    for (size_t i = 0; i < folder->count && other == NULL; i++) {
+        other = strcasecmp(folder->names[i], component) == 0 ? folder->names[i] : NULL;
     }
     if (other != NULL) {
         memcpy(component, other, strlen(component)); // they are of one length

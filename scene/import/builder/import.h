@@ -54,6 +54,7 @@ struct scene_import;
 struct scene_import_archive;
 struct scene_import_folder;
 struct scene_import_piece;
+struct scene_hash_table;
 struct system_child;
 /// Fill the model from what import->model.path or import->arrays name.
 typedef void scene_import_reader(struct scene_import *import);
@@ -69,6 +70,7 @@ struct scene_import {
         light_capacity, warning_capacity, unsupported_capacity, source_capacity;
     struct scene_import_source *sources; // one for each image
     uint32_t source_count;
+    struct scene_hash_table *image_names; // finds images by their names (phong.c)
     /// One matrix for each mesh, instance, camera and light. That of a mesh moves its positions to where the file has
     /// them.
     struct scene_import_exact exact_meshes, exact_instances, exact_cameras, exact_lights;

@@ -3,6 +3,7 @@
 // decoded from sRGB.
 #include "phong.h"
 
+#include "hash_table.h"
 #include "numbers.h"
 
 #include <string.h>
@@ -71,19 +72,34 @@ static bool same_text(const char *a, const char *b)
     return a == b || (a != NULL && b != NULL && strcmp(a, b) == 0);
 }
 
+// Return true if an image was made of this source and has this name.
+static bool is_image(const struct scene_import *import, uint32_t number, const char *name,
+                     const struct scene_import_source *source)
+{
+    const struct scene_import_source *other = &import->sources[number];
+    return same_text(other->file, source->file) && other->bytes == source->bytes &&
+           other->height == source->height && other->opacity_image == source->opacity_image &&
+           other->white == source->white && strcmp(import->model.images[number].name, name) == 0;
+}
+
 // Return the image with this source, new or shared with another slot.
 static int32_t find_or_add(struct scene_import *import, const char *name,
                            const struct scene_import_source *source)
 {
-    for (uint32_t i = 0; i < import->source_count; i++) {
-        const struct scene_import_source *other = &import->sources[i];
-        if (same_text(other->file, source->file) && other->bytes == source->bytes &&
-            other->height == source->height && other->opacity_image == source->opacity_image &&
-            other->white == source->white && strcmp(import->model.images[i].name, name) == 0) {
+    if (import->image_names == NULL) {
+        import->image_names = scene_import_allocate(import, 1, sizeof *import->image_names);
+    }
+    const uint32_t hash = scene_hash_bytes(name, strlen(name));
+    size_t place = SIZE_MAX;
+    for (uint32_t i = scene_hash_next(import->image_names, hash, &place); i != UINT32_MAX;
+         i = scene_hash_next(import->image_names, hash, &place)) {
+        if (is_image(import, i, name, source)) {
             return (int32_t)i;
         }
     }
-    return scene_import_add_image(import, name, source);
+    const int32_t added = scene_import_add_image(import, name, source);
+    scene_hash_add(import, import->image_names, hash, (uint32_t)added);
+    return added;
 }
 
 static bool set_slot(struct scene_import *import, const struct scene_phong_texture *texture,
