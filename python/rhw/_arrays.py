@@ -25,12 +25,15 @@ def _of_dlpack(value: Any, name: str) -> NDArray[Any]:
 
 
 def _is_masked(value: Any) -> bool:
+    """Whether it has masked elements, or is a list of lists or arrays of which one has."""
+    if isinstance(value, (list, tuple)):
+        return any(map(_is_masked, value))
     return isinstance(value, np.ma.MaskedArray) and bool(np.any(np.ma.getmaskarray(value)))  # type: ignore[no-untyped-call]
 
 
 def read(value: Any, name: str) -> NDArray[Any]:
     """The array of an argument: NumPy's own, a buffer, or by DLPack one of another library that lies in main memory."""
-    if any(map(_is_masked, value)) if isinstance(value, (list, tuple)) else _is_masked(value):
+    if _is_masked(value):
         raise ValueError(f"{name}: must have no masked elements; the method filled of a masked array gives them numbers")
     if isinstance(value, np.ndarray):
         return np.asarray(value)  # of what looks different what it is
@@ -158,7 +161,7 @@ def choice(value: Any, name: str, choices: Sequence[str]) -> int:
 def number(value: Any, name: str, least: float, most: float) -> float:
     """A number in a range, both ends included."""
     try:
-        if isinstance(value, (str, bytes, bytearray)):
+        if isinstance(value, (str, bytes, bytearray)) or _is_masked(value):
             raise TypeError
         found = float(value)
     except (TypeError, ValueError, OverflowError):

@@ -38,6 +38,9 @@ class CompileError(ValueError):
         super().__init__(message)
         self.stage, self.line, self.text, self.log = stage, line, text, log
 
+    def __reduce__(self) -> Tuple[Any, ...]:
+        return CompileError, (str(self), self.stage, self.line, self.text, self.log)
+
 
 class Variable(NamedTuple):
     """What a stage reads or writes at a location."""

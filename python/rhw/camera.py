@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import math
+from functools import partial
 from typing import TYPE_CHECKING, Any, Callable, Optional, Sequence, Tuple, Union
 
 import numpy as np
@@ -76,10 +77,10 @@ class Camera:
     >>> rhw.Camera.from_matrix(pose, fovy=40)                 # camera to world, looking along -z, y up
     >>> rhw.Camera.intrinsics(fx, fy, cx, cy, extrinsic)      # as OpenCV means them
 
-    Angles are degrees. Near and far planes lie around the model unless they are given.
+    Angles are degrees. Near and far planes lie around the model unless they are given. Cameras can be pickled.
     """
 
-    def __init__(self, resolve: _Resolve, text: str):
+    def __init__(self, resolve: _Resolve, text: str):  # a function that can be pickled
         self._resolve = resolve
         self._text = text
 
@@ -126,9 +127,8 @@ class Camera:
         part = -1.0 if margin is None else _arrays.number(margin, "margin", 0, 45) / 100
         larger = _arrays.number(zoom, "zoom", 0.01, 100)
         number = axis(up)
-        flags = _arrays.flag(whole, "whole"), _arrays.flag(orthographic, "orthographic")
-        return cls(lambda model, width, height: _rhw.camera_fit(
-            model._model, width / height, angles, number, flags[0], degrees, flags[1], larger, part), text)
+        options = (angles, number, _arrays.flag(whole, "whole"), degrees, _arrays.flag(orthographic, "orthographic"), larger, part)
+        return cls(partial(_fit, options), text)
 
     @classmethod
     def look_at(cls, eye: Sequence[float], target: Sequence[float], up: Sequence[float] = (0, 1, 0),
@@ -136,21 +136,12 @@ class Camera:
         """From a point to a point. `up` need not be at a right angle to the view; fovy: 0.01 to 179 degrees."""
         vectors = _vector(eye, "eye"), _vector(target, "target"), _vector(up, "up")
         degrees = _arrays.number(fovy, "fovy", 0.01, 179)
-        return cls(lambda model, width, height: _rhw.camera_look(model._model, *vectors, degrees),
-                   f"look_at({vectors[0]}, {vectors[1]})")
+        return cls(partial(_look, (*vectors, degrees)), f"look_at({vectors[0]}, {vectors[1]})")
 
     @classmethod
     def of_model(cls, which: Union[int, str] = 0) -> "Camera":
         """A camera of the file, by number or name. All of what it frames is in the picture, whatever its shape."""
-        def resolve(model: "Model", width: int, height: int) -> Tuple[Any, ...]:
-            names = [camera.name for camera in model.cameras]
-            if isinstance(which, str) and which in names:
-                return _rhw.camera_of_file(model._model, width / height, names.index(which))
-            if isinstance(which, (int, np.integer)) and 0 <= which < len(names):
-                return _rhw.camera_of_file(model._model, width / height, which)
-            raise ValueError(f"camera: the model has {len(names)} cameras, and {_arrays.text(which)} is none of them")
-
-        return cls(resolve, f"of_model({_arrays.text(which)})")
+        return cls(partial(_choose, which), f"of_model({_arrays.text(which)})")
 
     @classmethod
     def from_matrix(cls, pose: Any, fovy: float = 30.0, *, height: Optional[float] = None,
@@ -167,8 +158,7 @@ class Camera:
         lens = (False, _arrays.number(fovy, "fovy", 0.01, 179) * _DEGREE, 0.0)
         if height is not None:
             lens = (True, 0.0, 0.5 * _arrays.number(height, "height", 1e-30, 1e30))
-        return cls(_planes(lambda width, height: (*numbers, *lens, 0.0, 0.0, 1.0, (0.0, 0.0)), near, far),
-                   "from_matrix(...)")
+        return cls(_planes(partial(_posed_lens, (*numbers, *lens, 0.0, 0.0, 1.0, (0.0, 0.0))), near, far), "from_matrix(...)")
 
     @classmethod
     def intrinsics(cls, fx: float, fy: float, cx: float, cy: float, extrinsic: Any = None, *,
@@ -188,12 +178,8 @@ class Camera:
         eye = [-sum(rows[r][c] * moved[r] for r in range(3)) for c in range(3)]
         numbers = _posed(eye, view[2, :3], -view[1, :3])
 
-        def lens(width: int, height: int) -> Tuple[Any, ...]:
-            # OpenCV counts from the middle of the first pixel, the pipeline from its corner.
-            shift = (2 * (cx + 0.5) / width - 1, 1 - 2 * (cy + 0.5) / height)
-            return (*numbers, False, _rhw.lens_angle(height, fy), 0.0, 0.0, 0.0, fx / fy, shift)
-
-        return cls(_planes(lens, near, far), f"intrinsics({fx:g}, {fy:g}, {cx:g}, {cy:g})")
+        return cls(_planes(partial(_opencv_lens, numbers, (fx, fy, cx, cy)), near, far),
+                   f"intrinsics({fx:g}, {fy:g}, {cx:g}, {cy:g})")
 
 
 def _check_turn(matrix: NDArray[Any], name: str) -> None:
@@ -209,29 +195,61 @@ def _posed(eye: Any, ahead: Any, up: Any) -> Tuple[Tuple[float, ...], ...]:
     return (tuple(stands), tuple(a + float(b) for a, b in zip(stands, ahead)), tuple(float(value) for value in up))
 
 
-def _planes(lens: Callable[[int, int], Tuple[Any, ...]], near: Optional[float],
-            far: Optional[float]) -> _Resolve:
+# What cameras take pictures by: the arguments behind the first ones are the model and the size of the picture ----------------
+
+_Lens = Callable[[int, int], Tuple[Any, ...]]
+
+
+def _fit(options: Tuple[Any, ...], model: "Model", width: int, height: int) -> Tuple[Any, ...]:
+    return _rhw.camera_fit(model._model, width / height, *options)
+
+
+def _look(numbers: Tuple[Any, ...], model: "Model", width: int, height: int) -> Tuple[Any, ...]:
+    return _rhw.camera_look(model._model, *numbers)
+
+
+def _choose(which: Union[int, str], model: "Model", width: int, height: int) -> Tuple[Any, ...]:
+    names = [camera.name for camera in model.cameras]
+    if isinstance(which, str) and which in names:
+        return _rhw.camera_of_file(model._model, width / height, names.index(which))
+    if isinstance(which, (int, np.integer)) and 0 <= which < len(names):
+        return _rhw.camera_of_file(model._model, width / height, which)
+    raise ValueError(f"camera: the model has {len(names)} cameras, and {_arrays.text(which)} is none of them")
+
+
+def _posed_lens(numbers: Tuple[Any, ...], width: int, height: int) -> Tuple[Any, ...]:
+    return numbers
+
+
+def _opencv_lens(numbers: Tuple[Any, ...], inner: Tuple[float, float, float, float], width: int, height: int) -> Tuple[Any, ...]:
+    fx, fy, cx, cy = inner
+    # OpenCV counts from the middle of the first pixel, the pipeline from its corner.
+    shift = (2 * (cx + 0.5) / width - 1, 1 - 2 * (cy + 0.5) / height)
+    return (*numbers, False, _rhw.lens_angle(height, fy), 0.0, 0.0, 0.0, fx / fy, shift)
+
+
+def _check_planes(given: float, enclosing: float) -> None:
+    if given >= enclosing > 0:
+        raise ValueError(f"near: must be less than far, {enclosing:g}, not {given:g}")
+
+
+def _enclose(lens: _Lens, near: Optional[float], far: Optional[float], model: "Model", width: int, height: int) -> Tuple[Any, ...]:
+    numbers = list(_rhw.camera_enclose(model._model, lens(width, height)))
+    if near is not None:
+        numbers[6] = near
+    if far is not None:
+        numbers[7] = 0.0 if math.isinf(far) else far
+    if not numbers[3]:
+        _check_planes(numbers[6], numbers[7])
+    return tuple(numbers)
+
+
+def _planes(lens: _Lens, near: Optional[float], far: Optional[float]) -> _Resolve:
     """Puts planes that were not given around the model."""
     if near is not None:
         near = _arrays.number(near, "near", 1e-30, 1e30)
     if far is not None:
         far = _arrays.number(far, "far", 1e-30, math.inf)
-
-    def check(given: float, enclosing: float) -> None:
-        if given >= enclosing > 0:
-            raise ValueError(f"near: must be less than far, {enclosing:g}, not {given:g}")
-
     if near is not None and far is not None:
-        check(near, far)
-
-    def resolve(model: "Model", width: int, height: int) -> Tuple[Any, ...]:
-        numbers = list(_rhw.camera_enclose(model._model, lens(width, height)))
-        if near is not None:
-            numbers[6] = near
-        if far is not None:
-            numbers[7] = 0.0 if math.isinf(far) else far
-        if not numbers[3]:
-            check(numbers[6], numbers[7])
-        return tuple(numbers)
-
-    return resolve
+        _check_planes(near, far)
+    return partial(_enclose, lens, near, far)

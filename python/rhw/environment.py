@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import os
-from typing import Any, Optional, Union
+from typing import Any, Dict, Optional, Tuple, Union
 
 import numpy as np
 from numpy.typing import NDArray
@@ -22,12 +22,21 @@ class Environment:
       floats of linear light, rows from straight up to straight down; the middle column looks along +x, the one a
       quarter further along +z. Its numbers may be of any unit: they are scaled. What no light can be, as negative
       numbers, becomes black.
-    texels: (H, W, 4) float32, read-only: what is used of it.
+    texels: (H, W, 4) float32, read-only: what is used of it. A pickle has them.
     """
 
     def __init__(self, light: Union[str, "os.PathLike[str]", NDArray[Any]]):
         self._panorama = _panorama(light, "light")
         self.texels: NDArray[Any] = np.asarray(_rhw.panorama_texels(self._panorama))
+
+    def __reduce__(self) -> Tuple[Any, ...]:
+        return Environment, (self.texels,)
+
+    def __copy__(self) -> "Environment":
+        return self  # nothing of it changes
+
+    def __deepcopy__(self, memo: Dict[int, Any]) -> "Environment":
+        return self
 
     def __repr__(self) -> str:
         return f"<rhw.Environment: {self.texels.shape[1]} x {self.texels.shape[0]}>"

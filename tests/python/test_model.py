@@ -417,6 +417,23 @@ def test_a_pickle_that_is_damaged_is_refused(square):
             make(version, damaged)
 
 
+def test_pickles_of_cameras_and_environments(square):
+    """What a process that draws is given: cameras of every kind, and light."""
+    model, pose = rhw.Model(*square), np.eye(4)
+    pose[:3, 3] = 1, 2, 20
+    cameras = [rhw.Camera.fit(fovy=20, margin=3), rhw.Camera.orbit(30, 20, whole=True), rhw.Camera.look_at((3, 4, 9), (0, 0, 0)),
+               rhw.Camera.from_matrix(pose, height=8, near=1), rhw.Camera.intrinsics(60, 62, 31, 30, pose)]
+    for camera in [*cameras, rhw.Camera.of_model("none")]:
+        again = pickle.loads(pickle.dumps(camera))
+        assert repr(again) == repr(camera)
+        if camera in cameras:
+            assert np.array_equal(again.at(model, (64, 48)).matrix, camera.at(model, (64, 48)).matrix)
+    sky = rhw.Environment(np.random.default_rng(1).random((16, 32, 3), np.float32) * 1000 - 1)
+    again = pickle.loads(pickle.dumps(sky))
+    assert np.array_equal(again.texels, sky.texels)
+    assert model.render(32, environment=again).png() == model.render(32, environment=sky).png()
+
+
 def test_masked_arrays(square):
     """What is masked has no number: one that nobody meant would be drawn."""
     vertices, faces = square
@@ -424,6 +441,7 @@ def test_masked_arrays(square):
     assert rhw.Model(masked, faces).render(32).png() == rhw.Model(vertices, faces).render(32).png()
     masked[0, 0] = np.ma.masked
     for call in (lambda: rhw.Model(masked, faces), lambda: rhw.Model(list(masked), faces),
+                 lambda: rhw.diff.rasterize([[*np.ma.masked_less(np.ones((3, 4)), 2)]], [[0, 1, 2]], (2, 2)),
                  lambda: rhw.Model(vertices, faces, colors=np.ma.masked_less(vertices, 0.5)),
                  lambda: rhw.write_png("never.png", np.ma.masked_less(np.zeros((2, 2, 3), np.uint8), 1)),
                  lambda: rhw.Environment(np.ma.masked_less(np.zeros((2, 2, 3), np.float32), 1)),

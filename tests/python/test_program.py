@@ -3,6 +3,7 @@
 
 import gc
 import mmap
+import pickle
 import pathlib
 import signal
 
@@ -251,6 +252,8 @@ def test_texts_that_are_wrong(tmp_path):
     assert str(error) == "fragment:6: 'colour' : undeclared identifier"
     assert (error.stage, error.line, error.text) == ("fragment", 6, "color = colour;") and isinstance(error, ValueError)
     assert error.log.splitlines()[0] == str(error)
+    again = pickle.loads(pickle.dumps(error))  # as a pool of processes hands it on
+    assert (type(again), str(again), vars(again)) == (CompileError, str(error), vars(error))
     path = tmp_path / "wrong.comp"
     path.write_text("void main() {\n  return 1;\n}\n")
     with pytest.raises(CompileError, match="wrong.comp:2: ") as caught:
