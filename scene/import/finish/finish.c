@@ -15,6 +15,7 @@
 #include "locate.h"
 #include "model_up.h"
 #include "points.h"
+#include "start_lamp.h"
 
 static void extend(float least[3], float most[3], const float point[3])
 {
@@ -318,6 +319,7 @@ void scene_import_run(struct scene_import *import)
     warn_of_no_area(import);
     find_frame(import);
     locate_frame(import);
+    scene_import_drop_start_lamp(import);
     if (!model->is_scattered) {
         forget_exact_places(model);
     }

@@ -127,6 +127,34 @@ static void test_scene(void **state)
     }
 }
 
+// The lamp of the start file is left out where its camera looks past the model, unless somebody has moved it.
+static void test_start_lamp(void **state)
+{
+    (void)state;
+    enum { CAMERA = 295416, LAMP = 298724 }; // the places in the matrices of both
+    static const float away = 1000, moved = 4;
+    static unsigned char bytes[1 << 20];
+    static const struct {
+        bool is_away, is_moved;
+        uint32_t lights;
+    } cases[] = {{false, false, 1}, {true, false, 0}, {true, true, 1}};
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        const size_t size = read_model(MODELS "BlenderDefault_269.blend", bytes, sizeof bytes);
+        if (cases[i].is_away) {
+            memcpy(bytes + CAMERA, &away, sizeof away);
+        }
+        if (cases[i].is_moved) {
+            memcpy(bytes + LAMP, &moved, sizeof moved);
+        }
+        write_bytes("l.blend", bytes, size);
+        struct scene_model *const model = load("l.blend");
+        assert_int_equal(model->camera_count, 1);
+        assert_int_equal(model->light_count, cases[i].lights);
+        assert_int_equal(model->warning_count, 1 - cases[i].lights);
+        scene_model_free(model);
+    }
+}
+
 // Return true if all corners of each triangle have one normal, but for 1e-5.
 static bool is_flat(const struct scene_mesh *mesh)
 {
@@ -231,8 +259,9 @@ static void test_many_blocks(void **state)
 }
 
 static const struct CMUnitTest tests[] = {
-    cmocka_unit_test(test_told),  cmocka_unit_test(test_unused_material), cmocka_unit_test(test_shading),
-    cmocka_unit_test(test_scene), cmocka_unit_test(test_many_blocks),     cmocka_unit_test(test_colors),
+    cmocka_unit_test(test_told),       cmocka_unit_test(test_unused_material), cmocka_unit_test(test_shading),
+    cmocka_unit_test(test_scene),      cmocka_unit_test(test_many_blocks),     cmocka_unit_test(test_colors),
+    cmocka_unit_test(test_start_lamp),
 };
 
 const struct unit_tests test_blender = UNIT_TESTS(tests, make_directory, remove_directory);
