@@ -38,7 +38,8 @@ void scene_import_drop_start_lamp(struct scene_import *import)
     if (strcasecmp(import->ending, "blend") != 0 || lamp == model->light_count || !gives_way(model)) {
         return;
     }
-    scene_import_warn(import, "light \"%s\" of Blender's start file: left out, as its camera sees next to nothing",
+    scene_import_warn(import,
+                      "light \"%s\" of Blender's start file: left out, as its camera sees next to nothing",
                       model->lights[lamp].name);
     model->light_count--;
     memmove(&model->lights[lamp], &model->lights[lamp + 1],

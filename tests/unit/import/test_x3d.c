@@ -82,6 +82,10 @@ static void test_nodes(void **state)
         {"<Group DEF='b'>" SHAPE("") "<Group USE='b'/></Group>", 2, used},
         {"<Group USE='b'/><Group DEF='b'>" SHAPE("") "</Group>", 2, used},
         {"<Group DEF='b'>" SHAPE("") "</Group><Group USE='c'/>", 2, used},
+        {"<Group> </Group><Transform>\t</Transform><Switch>\n</Switch><StaticGroup>\r\n</StaticGroup>", 1,
+         NULL},
+        {"<Group USE='c'><!-- none --></Group>" SHAPE(""), 2, used},
+        {"<Group><!-- one --></Group><Collision> " SHAPE("") "</Collision>", 2, NULL},
         {"<Shape><Extrusion creaseAngle='0.5'/></Shape>", 13, "crease angles of extrusions (X3D): not used"},
         {"<Switch whichChoice='-1'><Shape><Appearance/><!-- --><Extrusion "
          "creaseAngle='0.5'/></Shape></Switch>",
