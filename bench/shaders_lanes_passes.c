@@ -106,11 +106,12 @@ static void surface_fragment(struct rhw_fragment *groups, int count)
     const struct bench_uniforms *const u = groups->uniforms;
     for (int g = 0; g < count; g++) {
         struct rhw_fragment *const f = &groups[g];
+        const rhw_float distance = 1.0f / f->coord[3];
         rhw_normalize3(f->varying, f->color[1]);
         f->color[1][3] = rhw_splat(0.0f);
         for (int c = 0; c < 4; c++) {
             f->color[0][c] = rhw_splat(u->color[c]);
-            f->color[2][c] = 1.0f / f->coord[3];
+            f->color[2][c] = distance;
         }
         f->color[3][0] = rhw_splat(u->specular);
         f->color[3][1] = rhw_splat(u->shininess * (1.0f / 256.0f));
@@ -119,9 +120,12 @@ static void surface_fragment(struct rhw_fragment *groups, int count)
     }
 }
 
-// What the first pass left of a group's pixels.
+// Groups of one step: few enough to keep what passes between steps near.
+enum { STEP = 8 };
+
+// What the first pass left of a group's pixels, and the light that they send.
 struct surface {
-    rhw_float position[3], normal[3], view[3], albedo[4], material[4];
+    rhw_float position[3], normal[3], view[3], albedo[4], material[4], sum[3];
 };
 
 ALWAYS_INLINE void fetch_surface(const struct rhw_fragment *f, const struct bench_uniforms *u,
@@ -139,34 +143,83 @@ ALWAYS_INLINE void fetch_surface(const struct rhw_fragment *f, const struct benc
     for (int c = 0; c < 3; c++) {
         s->position[c] = u->eye[c] + ray[c] * distance[0];
         s->view[c] = -ray[c];
+        s->sum[c] = s->albedo[c] * s->material[2];
     }
     rhw_normalize3(s->view, s->view);
 }
 
-// Adds what one light gives to the lanes that it reaches.
-ALWAYS_INLINE void add_light(const struct surface *s, const float place[4], const float color[4],
-                             rhw_float sum[3])
+// The least and the greatest position of each lane, over several groups.
+struct bounds {
+    rhw_float low[3], high[3];
+};
+
+ALWAYS_INLINE void bound_surfaces(const struct surface *s, int count, struct bounds *b)
 {
-    rhw_float to_light[3], half[3];
     for (int c = 0; c < 3; c++) {
-        to_light[c] = place[c] - s->position[c];
+        b->low[c] = rhw_splat(3.4028235e38f);
+        b->high[c] = -b->low[c];
     }
-    const rhw_float distance2 = rhw_dot3(to_light, to_light);
-    const rhw_float left = rhw_max(1.0f - distance2 * place[3], rhw_splat(0.0f));
-    if (!rhw_any(rhw_less(rhw_splat(0.0f), left))) {
-        return;
+    for (int g = 0; g < count; g++) {
+        for (int c = 0; c < 3; c++) {
+            b->low[c] = rhw_min(s[g].position[c], b->low[c]); // NaN changes nothing
+            b->high[c] = rhw_max(s[g].position[c], b->high[c]);
+        }
     }
-    rhw_normalize3(to_light, to_light);
+}
+
+// What is left of a light at the end of this way to it. Nothing rounds a longer way to more of it.
+ALWAYS_INLINE rhw_float light_left(const rhw_float way[3], float inverse_radius2)
+{
+    return rhw_max(1.0f - rhw_dot3(way, way) * inverse_radius2, rhw_splat(0.0f));
+}
+
+// False only if light_left is 0 at every position within the bounds.
+ALWAYS_INLINE bool reaches(const struct bounds *b, const float place[4])
+{
+    rhw_float way[3];
     for (int c = 0; c < 3; c++) {
-        half[c] = to_light[c] + s->view[c];
+        const rhw_float beyond = rhw_max(place[c] - b->high[c], b->low[c] - place[c]);
+        way[c] = rhw_max(beyond, rhw_splat(0.0f));
     }
-    rhw_normalize3(half, half);
-    const rhw_float zero = rhw_splat(0.0f), strength = left * left;
-    const rhw_float n_dot_l = rhw_max(rhw_dot3(s->normal, to_light), zero);
-    const rhw_float n_dot_h = rhw_max(rhw_dot3(s->normal, half), zero);
-    const rhw_float gloss = s->material[0] * rhw_exp2(256.0f * s->material[1] * rhw_log2(n_dot_h));
-    for (int c = 0; c < 3; c++) {
-        sum[c] = sum[c] + color[c] * strength * (s->albedo[c] * n_dot_l + gloss);
+    return rhw_any(rhw_less(rhw_splat(0.0f), light_left(way, place[3])));
+}
+
+// Adds what one light gives to the groups that it reaches, step by step: a group by itself is one chain of operations.
+ALWAYS_INLINE void add_light(struct surface *groups, int count, const float place[4], const float color[4])
+{
+    rhw_float n_dot_l[STEP], power[STEP], strength[STEP];
+    struct surface *lit[STEP];
+    int reached = 0;
+    for (int g = 0; g < count; g++) {
+        struct surface *const s = &groups[g];
+        rhw_float to_light[3], half[3];
+        for (int c = 0; c < 3; c++) {
+            to_light[c] = place[c] - s->position[c];
+        }
+        const rhw_float left = light_left(to_light, place[3]), zero = rhw_splat(0.0f);
+        if (!rhw_any(rhw_less(zero, left))) {
+            continue;
+        }
+        rhw_normalize3(to_light, to_light);
+        for (int c = 0; c < 3; c++) {
+            half[c] = to_light[c] + s->view[c];
+        }
+        rhw_normalize3(half, half);
+        lit[reached] = s;
+        strength[reached] = left * left;
+        n_dot_l[reached] = rhw_max(rhw_dot3(s->normal, to_light), zero);
+        power[reached] = rhw_max(rhw_dot3(s->normal, half), zero);
+        reached++;
+    }
+    for (int i = 0; i < reached; i++) {
+        power[i] = 256.0f * lit[i]->material[1] * rhw_log2(power[i]);
+    }
+    for (int i = 0; i < reached; i++) {
+        struct surface *const s = lit[i];
+        const rhw_float gloss = s->material[0] * rhw_exp2(power[i]);
+        for (int c = 0; c < 3; c++) {
+            s->sum[c] = s->sum[c] + color[c] * strength[i] * (s->albedo[c] * n_dot_l[i] + gloss);
+        }
     }
 }
 
@@ -174,20 +227,25 @@ static void lights_fragment(struct rhw_fragment *groups, int count)
 {
     const struct bench_uniforms *const u = groups->uniforms;
     const float(*const lights)[4] = shared_of(u);
-    for (int g = 0; g < count; g++) {
-        struct surface s;
-        rhw_float sum[3];
-        fetch_surface(&groups[g], u, &s);
-        for (int c = 0; c < 3; c++) {
-            sum[c] = s.albedo[c] * s.material[2];
+    for (; count > 0; groups += STEP, count -= STEP) {
+        const int n = count < STEP ? count : STEP;
+        struct surface s[STEP];
+        struct bounds bounds;
+        for (int g = 0; g < n; g++) {
+            fetch_surface(&groups[g], u, &s[g]);
         }
+        bound_surfaces(s, n, &bounds);
         for (int i = 0; i < BENCH_LIGHTS; i++) {
-            add_light(&s, lights[2 * i], lights[2 * i + 1], sum);
+            if (reaches(&bounds, lights[2 * i])) {
+                add_light(s, n, lights[2 * i], lights[2 * i + 1]);
+            }
         }
-        for (int c = 0; c < 3; c++) {
-            groups[g].color[0][c] = sum[c];
+        for (int g = 0; g < n; g++) {
+            for (int c = 0; c < 3; c++) {
+                groups[g].color[0][c] = s[g].sum[c];
+            }
+            groups[g].color[0][3] = rhw_splat(1.0f);
         }
-        groups[g].color[0][3] = rhw_splat(1.0f);
     }
 }
 
