@@ -101,15 +101,24 @@ RHW_INLINE void finish_plain_depths(struct tile_work *work)
     }
 }
 
-// Leave the lanes live that the fragment function did not discard.
+// Leave the lanes live that the fragment function did not discard, of 8 groups at a time: a byte that is loaded beside
+// bytes just stored waits until these are in the cache, which took 0.4 of cliffs_discard_fill's time.
 static void leave_undiscarded(struct fragment_queue *queue)
 {
-    bool only_full_rows = queue->only_full_rows;
-    for (int g = 0; g < queue->count; g++) {
-        queue->live[g] &= (uint8_t)i32x8_sign_bits(queue->groups[g].mask);
-        only_full_rows = only_full_rows && queue->live[g] == 0xff;
+    uint64_t full = ~(uint64_t)0;
+    for (int first = 0; first < queue->count; first += RHW_BLOCK) {
+        const int left = queue->count - first;
+        i32x8 mask[RHW_BLOCK];
+        uint64_t live;
+        for (int n = 0; n < RHW_BLOCK; n++) {
+            mask[n] = queue->groups[first + n].mask;
+        }
+        memcpy(&live, &queue->live[first], sizeof live);
+        live &= i32x8_sign_bits_of_rows(mask);
+        memcpy(&queue->live[first], &live, sizeof live);
+        full &= live | (left < RHW_BLOCK ? ~(uint64_t)0 << (8 * left) : 0);
     }
-    queue->only_full_rows = only_full_rows;
+    queue->only_full_rows = queue->only_full_rows && full == ~(uint64_t)0;
 }
 
 // Blend what was shaded into target t. `path` is the target's, and `size` is the size of its texels in bytes; both are
