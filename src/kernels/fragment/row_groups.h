@@ -232,10 +232,9 @@ RHW_INLINE void place_one_sample(struct fragment_queue *queue, const struct bloc
 
 // Set which samples the groups from the queue's end on cover.
 static __attribute__((noinline)) void place_any_samples(const struct tile_work *work,
-                                                        const struct block *block,
+                                                        const struct block_samples *from,
                                                         const struct block_rows *rows)
 {
-    const struct block_samples *const from = block->samples;
     struct fragment_queue *const queue = &work->scratch->queue;
     for (int n = 0; n < rows->count; n++) {
         const int g = queue->count + n, row = rows->row[n];
@@ -257,17 +256,16 @@ static __attribute__((noinline)) void place_any_samples(const struct tile_work *
     }
 }
 
-RHW_INLINE void place_samples(const struct tile_work *work, const struct block *block,
+RHW_INLINE void place_samples(const struct tile_work *work, const struct block_samples *from,
                               const struct block_rows *rows)
 {
-    const struct block_samples *const from = block->samples;
     struct fragment_queue *const queue = &work->scratch->queue;
     const uint32_t uses = work->pipeline->def.program.uses;
     memset(&queue->sample[queue->count], from->only, RHW_BLOCK);
     if (from->only >= 0 && !from->depth) {
         place_one_sample(queue, from, rows, uses & (RHW_USE_SAMPLE | RHW_USE_SAMPLE_MASK));
     } else {
-        place_any_samples(work, block, rows);
+        place_any_samples(work, from, rows);
     }
 }
 
@@ -318,7 +316,7 @@ RHW_INLINE void queue_rows(struct tile_work *work, struct triangle_work *triangl
     }
     place_rows(queue, rows, block->x, block->y);
     if (block->samples) {
-        place_samples(work, block, rows);
+        place_samples(work, block->samples, rows);
     }
     for (int n = 0; n < rows->count && work->plan.weighs_alpha; n++) {
         queue->coverage[queue->count + n] = triangle->coverage[rows->row[n]];

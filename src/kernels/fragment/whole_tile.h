@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A triangle that covers a tile all over has groups of its own: what the blocks of a tile share is done once.
+// A triangle that covers a tile all over has groups of its own: what the blocks of a tile share is done once. Where
+// samples are shaded one by one, the tile is filled for one sample after the other.
 #ifndef RHW_WHOLE_TILE_H
 #define RHW_WHOLE_TILE_H
 
@@ -30,23 +31,19 @@ RHW_INLINE void fill_block_depths(const struct tile_work *work, const struct tri
     }
 }
 
-// Set depth, what targets hold, and what groups have beside smooth and flat varyings, of the block at (x, y).
+// Set depth, what targets hold, and what groups have beside smooth and flat varyings, of a block.
 static __attribute__((noinline)) void fill_more_block(const struct tile_work *work,
-                                                      const struct triangle_work *triangle, int x, int y)
+                                                      const struct triangle_work *triangle,
+                                                      const struct block *block)
 {
-    struct block block;
-    block.x = x;
-    block.y = y;
-    block.at = block_offset(work, &triangle->planes, x, y);
-    block.samples = NULL;
     if (work->plan.reads_targets) {
         read_targets(work, work->scratch->queue.count, RHW_BLOCK);
     }
     if (work->plan.keeps_depth) {
-        fill_block_depths(work, triangle, &block.at);
+        fill_block_depths(work, triangle, &block->at);
     }
     if (work->plan.fills_more) {
-        fill_more(work, triangle, &block, &all_rows);
+        fill_more(work, triangle, block, &all_rows);
     }
 }
 
@@ -67,9 +64,10 @@ static bool wants_level_rows(const struct tile_work *work, const struct planes *
            plane_is_level(plane_of(&planes->quantities, QUANTITY_S));
 }
 
-// Set what the blocks at row y of the tile share. `dy` is where their rows lie from the anchor.
+// Set what the blocks at row y of the tile share. `dy` is where their rows lie from the anchor, and `down` in their
+// pixels.
 RHW_INLINE void level_rows_set(struct level_rows *out, const struct tile_work *work,
-                               const struct triangle_work *triangle, int y, f64x8 dy)
+                               const struct triangle_work *triangle, int y, f64x8 dy, float down)
 {
     const struct quantity_planes *const quantities = &triangle->planes.quantities;
     plane_level_rows(plane_of(quantities, QUANTITY_S), dy, out->inverse_w);
@@ -77,16 +75,17 @@ RHW_INLINE void level_rows_set(struct level_rows *out, const struct tile_work *w
     if (triangle->clamps_depth) {
         f32x8_store(out->depth, viewport_clamp(&work->scratch->depth, f32x8_load(out->depth)));
     }
-    f32x8_store(out->y, coordinate_of_pixels(work->y + y, (float)sample_offset()));
+    f32x8_store(out->y, coordinate_of_pixels(work->y + y, down));
 }
 
-// Set depth and coordinates of a block at column x of the tile, if they are asked for.
-RHW_INLINE void fill_level_block(const struct tile_work *work, const struct level_rows *rows, int x)
+// Set depth and coordinates of a block at column x of the tile, and at `right` in its pixels, if they are asked for.
+RHW_INLINE void fill_level_block(const struct tile_work *work, const struct level_rows *rows, int x,
+                                 float right)
 {
     const uint32_t uses = work->pipeline->def.program.uses;
     struct rhw_fragment *const groups = &work->scratch->queue.groups[work->scratch->queue.count];
     if (uses & RHW_USE_COORD) {
-        const f32x8 columns = coordinate_of_pixels(work->x + x, (float)sample_offset());
+        const f32x8 columns = coordinate_of_pixels(work->x + x, right);
         for (int row = 0; row < RHW_BLOCK; row++) {
             groups[row].coord[0] = columns;
             groups[row].coord[1] = f32x8_splat(rows->y[row]);
@@ -101,8 +100,10 @@ RHW_INLINE void fill_level_block(const struct tile_work *work, const struct leve
     }
 }
 
+// Queue and shade all blocks of a tile. `samples` tells which sample of them, and where in its pixels it lies.
 RHW_INLINE void fill_whole_tile(struct tile_work *work, const struct triangle_work *triangle,
-                                enum derivatives derivatives, enum weight_path path)
+                                const struct block_samples *samples, enum derivatives derivatives,
+                                enum weight_path path)
 {
     const bool weighs = derivatives == DERIVATIVES || wants_weights(work->pipeline);
     const bool is_level = wants_level_rows(work, &triangle->planes);
@@ -110,27 +111,37 @@ RHW_INLINE void fill_whole_tile(struct tile_work *work, const struct triangle_wo
         !is_level && (work->plan.keeps_depth || work->plan.fills_more || work->plan.reads_targets);
     const struct planes *const planes = &triangle->planes;
     struct fragment_queue *const queue = &work->scratch->queue;
+    const float *const position = samples->position;
+    const f64x8 to_right = f64x8_splat((double)position[0] - sample_offset()),
+                to_bottom = f64x8_splat((double)position[1] - sample_offset());
+    struct block block;
+    block.samples = samples;
     for (int y = 0; y < RHW_TILE; y += RHW_BLOCK) {
         struct block_planes over;
         struct level_rows level;
-        const f64x8 dy = block_offset(work, planes, 0, y).dy;
+        block.y = y;
+        block.at.dy = f64x8_add(block_offset(work, planes, 0, y).dy, to_bottom);
         if (weighs) {
-            block_weight_rows(&over, planes, dy, path);
+            block_weight_rows(&over, planes, block.at.dy, path);
         }
         if (is_level) {
-            level_rows_set(&level, work, triangle, y, dy);
+            level_rows_set(&level, work, triangle, y, block.at.dy, position[1]);
         }
         for (int x = 0; x < RHW_TILE; x += RHW_BLOCK) {
-            const struct anchor_offset at = {block_offset(work, planes, x, y).dx, dy};
+            block.x = x;
+            block.at.dx = f64x8_add(block_offset(work, planes, x, y).dx, to_right);
             place_rows(queue, &all_rows, x, y);
+            if (work->samples > 1) {
+                place_samples(work, samples, &all_rows);
+            }
             if (weighs) {
-                block_weight_columns(&over, planes, at.dx);
-                fill_steps(work, triangle, &over, &at, &all_rows, derivatives, path);
+                block_weight_columns(&over, planes, block.at.dx);
+                fill_steps(work, triangle, &over, &block.at, &all_rows, derivatives, path);
             }
             if (is_level) {
-                fill_level_block(work, &level, x);
+                fill_level_block(work, &level, x, position[0]);
             } else if (more) {
-                fill_more_block(work, triangle, x, y);
+                fill_more_block(work, triangle, &block);
             }
             queue->count += RHW_BLOCK;
             shade_if_full(work);
@@ -138,20 +149,33 @@ RHW_INLINE void fill_whole_tile(struct tile_work *work, const struct triangle_wo
     }
 }
 
-// Queue and shade all blocks of a tile. The queue is empty, so that the groups fill it without a rest.
-static void queue_tile(struct tile_work *work, struct triangle_work *triangle)
+// Queue and shade all blocks of a tile in one sample.
+static void queue_tile_sample(struct tile_work *work, const struct triangle_work *triangle,
+                              const struct block_samples *samples)
 {
-    set_inputs(work, triangle);
     const bool derivatives = work->pipeline->derivative_pairs != 0;
     const bool per_row = weight_path_of(&triangle->planes) == WEIGHTS_PER_ROW;
     if (derivatives && per_row) {
-        fill_whole_tile(work, triangle, DERIVATIVES, WEIGHTS_PER_ROW);
+        fill_whole_tile(work, triangle, samples, DERIVATIVES, WEIGHTS_PER_ROW);
     } else if (derivatives) {
-        fill_whole_tile(work, triangle, DERIVATIVES, WEIGHTS_PER_PIXEL);
+        fill_whole_tile(work, triangle, samples, DERIVATIVES, WEIGHTS_PER_PIXEL);
     } else if (per_row) {
-        fill_whole_tile(work, triangle, NO_DERIVATIVES, WEIGHTS_PER_ROW);
+        fill_whole_tile(work, triangle, samples, NO_DERIVATIVES, WEIGHTS_PER_ROW);
     } else {
-        fill_whole_tile(work, triangle, NO_DERIVATIVES, WEIGHTS_PER_PIXEL);
+        fill_whole_tile(work, triangle, samples, NO_DERIVATIVES, WEIGHTS_PER_PIXEL);
+    }
+}
+
+// Queue and shade all blocks of a tile. The queue is empty, so that the groups fill it without a rest.
+static void queue_tile(struct tile_work *work, struct triangle_work *triangle)
+{
+    const struct rhw_sample_pattern *const pattern = work->target->pattern;
+    set_inputs(work, triangle);
+    for (int s = 0; s < work->samples; s++) {
+        const struct block_samples samples = {
+            .only = s,
+            .position = {(float)pattern->x_0_8[s] / RHW_SUBPIXEL, (float)pattern->y_0_8[s] / RHW_SUBPIXEL}};
+        queue_tile_sample(work, triangle, &samples);
     }
 }
 

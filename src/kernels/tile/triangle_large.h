@@ -12,7 +12,7 @@
 #include "kernels/depth/stencil_block.h"
 #include "kernels/depth/depth_range.h"
 #include "span_blocks.h"
-#include "triangle_planes.h"
+#include "triangle_whole.h"
 
 // Blocks -----------------------------------------------------------------------------------------------
 
@@ -125,37 +125,6 @@ RHW_INLINE void draw_block(struct tile_work *work, struct triangle_work *triangl
     } else {
         shade_plain_block(work, triangle, x, y, mask);
     }
-}
-
-// Whole tiles ------------------------------------------------------------------------------------------
-
-// Return true if a triangle of the draw that covers the tile all over is drawn by draw_whole_tile.
-RHW_INLINE bool takes_whole_tile(const struct tile_work *work)
-{
-    const struct rhw_draw_plan *const plan = &work->plan;
-    const bool all_open =
-        work->phase == RHW_PHASE_BACKWARDS && work->scratch->depth.open_count == RHW_TILE * RHW_TILE;
-    const bool is_open = plan->depth_mode == RHW_DEPTH_NONE && all_open;
-    const bool tests_late = plan->depth_mode == RHW_DEPTH_NONE || plan->depth_mode == RHW_DEPTH_LATE;
-    return plan->shading == RHW_SHADING_SMOOTH && !plan->keeps_identity && !work->is_scissored &&
-           (is_open || (tests_late && work->phase == RHW_PHASE_ONLY));
-}
-
-// Draw a triangle that covers the tile all over where no depth is tested before shading, as in full-screen passes: what
-// its blocks share is done once. Return false if the triangle takes the path of any other.
-static __attribute__((noinline)) bool draw_whole_tile(struct tile_work *work, struct triangle_work *triangle)
-{
-    set_planes(work, triangle);
-    if (triangle->planes.kind != PLANES_LINEAR || triangle->clipped) {
-        return false;
-    }
-    RHW_ISA_NAME(rhw_queue_tile)(work, triangle);
-    work->counters->fragments += RHW_TILE * RHW_TILE;
-    if (work->phase == RHW_PHASE_BACKWARDS) {
-        memset(work->scratch->depth.open, 0, sizeof work->scratch->depth.open);
-        work->scratch->depth.open_count = 0;
-    }
-    return true;
 }
 
 // All ---------------------------------------------------------------------------------------------------

@@ -132,6 +132,80 @@ static void test_paths_agree_on_inputs(void **state)
     }
 }
 
+// The sample and where it lies, with some pixels left out.
+static void sample_fragment(struct rhw_fragment *groups, int count)
+{
+    for (int g = 0; g < count; g++) {
+        struct rhw_fragment *const f = &groups[g];
+        for (int c = 0; c < 4; c++) {
+            f->color[0][c] = f->varying[c] + f->sample_position[c % 2] + rhw_float_from_int(f->sample_id);
+        }
+        f->mask &= rhw_less(f->varying[0], rhw_splat(0.6f));
+    }
+}
+
+// Shades each sample of tiles that triangles cover all over: of the first and the last where they lie on a floor, of the
+// others anywhere. The last ones are blended if `blend` is true.
+static uint64_t hash_of_whole_tiles(int samples, int inputs, bool blend, enum rhw_paths paths)
+{
+    const struct {
+        rhw_fragment_function *fragment;
+        uint32_t uses;
+        enum rhw_qualifier qualifier;
+        bool derivatives;
+    } asked[INPUTS] = {{rig_fragment_pass, 0, RHW_SMOOTH, false},
+                       {coord_fragment, RHW_USE_COORD, RHW_SMOOTH, false},
+                       {coord_fragment, RHW_USE_COORD, RHW_SMOOTH, true},
+                       {coord_fragment, RHW_USE_COORD, RHW_NOPERSPECTIVE, true},
+                       {read_fragment, RHW_USE_COORD | RHW_USE_COLOR_INPUT, RHW_SMOOTH, false},
+                       {sample_fragment, RHW_USE_SAMPLE | RHW_USE_DISCARD, RHW_SMOOTH, false}};
+    static const float corners[4][3][3] = {{{-300, -100, 1}, {900, -100, 1}, {100, 1500, 7}},
+                                           {{-300, -100, 1}, {900, -120, 4}, {100, 1500, 7}},
+                                           {{-300, -100, 3}, {900, -120, 3}, {100, 1500, 3}},
+                                           {{100, -900, 5}, {-400, 370, 1.3f}, {700, 370, 1.3f}}};
+    struct rig rig;
+    open_samples(&rig, samples, paths);
+    rig_set_program(&rig, rig_vertex_pass, asked[inputs].fragment);
+    rig.pipeline.program.uses = asked[inputs].uses;
+    rig.pipeline.program.varyings[0].qualifier = asked[inputs].qualifier;
+    rig.pipeline.program.varyings[0].derivatives = asked[inputs].derivatives;
+    rig.pipeline.program.varyings[0].sampling = RHW_SAMPLING_SAMPLE;
+    rig.pipeline.depth_test = false;
+    rig_begin(&rig);
+    for (int n = 0; n < 4; n++) {
+        struct rig_vertex vertices[3];
+        for (int k = 0; k < 3; k++) {
+            const float *const at = corners[n][k];
+            rig_place(&rig, at[0], at[1], 0.2f + 0.2f * (float)k, at[2], vertices[k].position);
+            for (int c = 0; c < 4; c++) {
+                vertices[k].value[c] = (float)((7 * k + 3 * c + n) % 5) * 0.25f;
+            }
+        }
+        rig.pipeline.targets[0].blend = blend && n >= 2;
+        rig.pipeline.targets[0].color.dst = RHW_BLEND_ONE;
+        rig_draw(&rig, vertices, 3);
+    }
+    rig_end(&rig);
+    uint64_t hash = 0;
+    for (int s = 0; s < samples; s++) {
+        hash = rig_hash_bytes(hash, read_color(&rig, s), PIXELS * 16);
+    }
+    rig_close(&rig);
+    return hash;
+}
+
+static void test_paths_agree_on_whole_tiles(void **state)
+{
+    (void)state;
+    for (int i = 0; i < COUNTS; i++) {
+        for (int inputs = 0; inputs < 2 * INPUTS; inputs++) {
+            const bool blend = inputs >= INPUTS;
+            assert_true(hash_of_whole_tiles(counts[i], inputs % INPUTS, blend, RHW_PATHS_ALL) ==
+                        hash_of_whole_tiles(counts[i], inputs % INPUTS, blend, RHW_PATHS_GENERAL));
+        }
+    }
+}
+
 struct way_of_writing {
     enum rhw_format format;
     uint8_t write_mask;
@@ -283,6 +357,7 @@ static void test_paths_agree_on_resolved(void **state)
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_paths_agree),
     cmocka_unit_test(test_paths_agree_on_inputs),
+    cmocka_unit_test(test_paths_agree_on_whole_tiles),
     cmocka_unit_test(test_paths_agree_on_formats),
     cmocka_unit_test(test_paths_agree_on_logic),
     cmocka_unit_test(test_paths_agree_on_resolved),
