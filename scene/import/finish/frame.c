@@ -6,6 +6,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "cloud_frame.h"
 #include "draw/camera/camera_math.h"
 #include "draw/camera/subject.h"
 
@@ -371,7 +372,10 @@ void scene_frame_find(struct scene_import *import, const struct scene_seen_mesh 
     struct scene_box frame = seen_box(search);
     const double before = scene_box_longest(&frame);
     search->all = scene_box_grown(&frame, 1e-5 * before); // the bounds are rounded
-    if (leave_specks(search, &frame)) {
+    const bool has_specks = leave_specks(search, &frame);
+    if (scene_cloud_frame_trim(model, &frame)) {
+        scene_import_warn(import, "stray points are outside a fitted picture; --fit=all shows them");
+    } else if (has_specks) {
         scene_import_warn(import, "specks far away from all else are outside a fitted picture; "
                                   "--fit=all shows them");
     }

@@ -221,6 +221,34 @@ static void test_a_point_in_the_sky(void **state)
     scene_model_free(model);
 }
 
+// Stray points of a cloud, the fewer the farther they are, set no frame. A cloud whose points become fewer to its ends
+// is framed whole.
+static void test_stray_points(void **state)
+{
+    (void)state;
+    enum { SIDE = 16, POINTS = SIDE * SIDE * SIDE, STRAYS = 10 };
+    static char text[POINTS * 40];
+    for (int case_number = 0; case_number < 3; case_number++) {
+        char *out = text;
+        for (int i = 0; i < POINTS; i++) {
+            const double x = i % SIDE, y = i / SIDE % SIDE, z = i / SIDE / SIDE;
+            const double along = case_number == 1 ? x * x * x / SIDE / SIDE : x;
+            out += sprintf(out, "%g %g %g\n", along, y, z);
+        }
+        for (int i = 0; i < STRAYS && case_number != 1; i++) {
+            const double far = SIDE * (case_number == 0 ? 1 + 0.4 * i : 1 + 0.03 * i);
+            out += sprintf(out, "%g %g %g\n", i % 2 == 0 ? far : 1, i % 2 == 0 ? 1 : far, far);
+        }
+        struct scene_model *const model = load_text("c.xyz", text);
+        assert_int_equal(model->is_framed, case_number == 0);
+        assert_int_equal(has_warning(model, "stray points are outside a fitted picture"), case_number == 0);
+        for (int c = 0; c < 3 && case_number == 0; c++) {
+            assert_true(model->frame_min[c] > -SIDE && model->frame_max[c] < 1.5 * SIDE);
+        }
+        scene_model_free(model);
+    }
+}
+
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_what_is_never_seen_sets_no_frame),
     cmocka_unit_test(test_parts_that_are_cut_away),
@@ -228,6 +256,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_specks_set_no_frame),
     cmocka_unit_test(test_a_speck_at_the_origin),
     cmocka_unit_test(test_a_point_in_the_sky),
+    cmocka_unit_test(test_stray_points),
 };
 
 const struct unit_tests test_frame = UNIT_TESTS(tests, make_directory, remove_directory);
