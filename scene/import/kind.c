@@ -236,6 +236,9 @@ static void refuse_marked(struct scene_import *import, const struct beginning *s
     if (is_step(import, start)) {
         refuse_by_name(import, "STEP (CAD)");
     }
+    if (strcasecmp(import->ending, "asc") == 0 && strncasecmp(find_text(start), "ncols", 5) == 0) {
+        refuse_by_name(import, "a grid of Esri (terrain)");
+    }
     if (begins_with(start, "\x28\xb5\x2f\xfd")) {
         const bool is_blender = import->ending[0] == 0 || strncasecmp(import->ending, "blend", 5) == 0;
         refuse_by_name(import, is_blender ? "a Blender file of 3.0 or later (zstd)" : "compressed by zstd");
@@ -324,7 +327,7 @@ void scene_import_read(struct scene_import *import)
         scene_import_3mf(import);
     } else if (ends_in(import, "stl") || (nameless && looks_like_stl(&start))) {
         scene_import_stl(import);
-    } else if (ends_in(import, "xyz") || ends_in(import, "pts")) {
+    } else if (ends_in(import, "xyz") || ends_in(import, "pts") || ends_in(import, "asc")) {
         scene_import_xyz(import);
     } else if (ends_in(import, "off") || scene_import_is_off(start.bytes, start.count)) {
         scene_import_off(import);

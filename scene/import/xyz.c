@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Clouds of points as text: XYZ, and PTS, which says how many points follow. A line is a point: its position, then
-// whatever the program had. No document says what, so the numbers themselves tell colours and normals apart.
+// Clouds of points as text: XYZ and ASC, and PTS, which says how many points follow. A line is a point: its position,
+// then whatever the program had. No document says what, so the numbers themselves tell colours and normals apart.
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

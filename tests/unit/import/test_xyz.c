@@ -32,6 +32,7 @@ static void test_columns(void **state)
         {"i.pts", "1\r\n1 2 3 255 0 0\r\n1\r\n4 5 6 0 0 255\r\n", true, false, 0},
         {"k.xyz", "1 2 3 255 0 0\n4 5 6 0 0 255 7\n", true, false, 1},
         {"l.xyz", "1 2 3 255 0 0 0.6 0 0.8 255 9\n4 5 6 0 0 255 0 0 -1 255 9\n", true, true, 1},
+        {"m.asc", "//X Y Z R G B Intensity\n2\n1 2 3 1 0 0 15.0\n4 5 6 0 0 1 15.0\n", true, false, 1},
         {"j.xyz",
          "\xef\xbb\xbf"
          "1 2 3 1 0 0\n4 5 6 0 0 1",
@@ -86,6 +87,9 @@ static void test_refused(void **state)
         {"short.xyz", "1 2 3\n4 5\n", "line 2: a point needs three numbers"},
         {"fewer.xyz", "1 2 3 4\n4 5 6\n", "line 2: a point has fewer numbers than the first one"},
         {"word.xyz", "1 2 3\n4 5 6 seven\n", "line 2: a point needs three numbers"},
+        {"hill.asc", "ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 1\n1 2 3\n4 5 6\n",
+         "is a grid of Esri (terrain), which is not supported"},
+        {"key.asc", "-----BEGIN PGP SIGNATURE-----\n", "is no cloud of points: no line has three numbers"},
         {"scan.ptx", "1\n1\n", "is PTX (point cloud), which is not supported"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
