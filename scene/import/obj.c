@@ -341,6 +341,33 @@ static bool read_library(struct obj *obj, const char *name)
     return scene_mtl_read(obj->import, &obj->mtl, own);
 }
 
+static bool ends_in_mtl(struct scene_word word)
+{
+    static const char ending[] = ".mtl";
+    const size_t length = strlen(ending);
+    return word.length > length && strncasecmp(word.start + word.length - length, ending, length) == 0;
+}
+
+static bool has_library(struct obj *obj, struct scene_word name)
+{
+    return scene_import_find_file(obj->import, library_name(obj, name)) != NULL;
+}
+
+// Let a name go on over blanks to the next word that ends in .mtl, unless there is a library of either word's name.
+static void join_words(struct obj *obj, struct scene_word *name, struct scene_line *line)
+{
+    struct scene_line ahead = *line;
+    struct scene_word last = *name;
+    while (!ends_in_mtl(last) && scene_text_word(&ahead, &last)) {
+    }
+    const struct scene_word whole = {name->start, (size_t)(last.start + last.length - name->start)};
+    if (whole.length > name->length && ends_in_mtl(last) && !has_library(obj, *name) &&
+        (has_library(obj, whole) || !has_library(obj, last))) {
+        *name = whole;
+        *line = ahead;
+    }
+}
+
 // Read what follows mtllib: one name, maybe with blanks in it, or several names.
 static void read_libraries(struct obj *obj, struct scene_line line)
 {
@@ -354,6 +381,7 @@ static void read_libraries(struct obj *obj, struct scene_line line)
         while (name.start[name.length - 1] == '\\' && scene_text_word(&line, &more)) {
             name.length = (size_t)(more.start + more.length - name.start);
         }
+        join_words(obj, &name, &line);
         const bool found = read_library(obj, library_name(obj, name));
         obj->libraries_complete = obj->libraries_complete && found;
     }

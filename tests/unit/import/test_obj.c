@@ -445,6 +445,42 @@ static void test_plain_lines(void **state)
     }
 }
 
+// A line may name several libraries, and their names may have blanks.
+static void test_libraries(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *line, *warning;
+        float red;
+    } cases[] = {
+        {"a b one.mtl", NULL, 1},
+        {"a b one.mtl a b two.mtl", NULL, 1},
+        {"a b two.mtl a b one.mtl", NULL, 1},
+        {"plain.mtl a b one.mtl", NULL, 1},
+        {"a b three.mtl", "material library \"a b three.mtl\"", 0},
+        {"gone plain.mtl", "material library \"gone\"", 0.5f},
+        {"plain plain.mtl", NULL, 0.5f},
+    };
+    write_text("a b one.mtl", "newmtl m\nKd 1 0 0\n");
+    write_text("a b two.mtl", "newmtl n\nKd 0 1 0\n");
+    write_text("plain.mtl", "newmtl m\nKd 0.735357 0 0\n");
+    write_text("plain", "newmtl m\nKd 0 0 0\n");
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        write_format("l.obj", "mtllib %s\n" TRIANGLE, cases[i].line);
+        struct scene_model *const model = load("l.obj");
+        if (model->warning_count != (cases[i].warning != NULL) ||
+            (cases[i].warning != NULL && !has_warning(model, cases[i].warning))) {
+            fail_msg("case %zu: %u warnings, %s", i, model->warning_count,
+                     model->warning_count > 0 ? model->warnings[0] : "");
+        }
+        const float red = material_of(model)->base_color[0];
+        if (cases[i].warning == NULL && (red < cases[i].red - 0.01f || red > cases[i].red + 0.01f)) {
+            fail_msg("case %zu: %g", i, (double)red);
+        }
+        scene_model_free(model);
+    }
+}
+
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_surface_maps),
     cmocka_unit_test(test_layers),
@@ -462,6 +498,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_folded_quads),
     cmocka_unit_test(test_many_materials),
     cmocka_unit_test(test_plain_lines),
+    cmocka_unit_test(test_libraries),
 };
 
 const struct unit_tests test_obj = UNIT_TESTS(tests, make_directory, remove_directory);
