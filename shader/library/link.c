@@ -42,6 +42,15 @@ static void find_atomic(const struct shader_program *program, uint32_t value, co
         node->immediate == SHADER_ATOMIC_EXCHANGE || node->immediate == SHADER_ATOMIC_COMPARE_EXCHANGE;
 }
 
+// Return true for a point size that is 1, as it is where nothing writes it. Transform feedback wants it written.
+static bool is_default(const struct shader_program *program, const struct shader_node *output,
+                       bool is_captured)
+{
+    const struct shader_node *const value = &program->nodes[output->operands[0]];
+    return output->immediate == SHADER_OUT_POINT_SIZE && value->op == SHADER_CONSTANT &&
+           value->immediate == 0x3f800000 && !is_captured;
+}
+
 void shader_find_interface(const struct shader_program *program, struct shader_interface *interface)
 {
     *interface = (struct shader_interface){.is_captured = program->capture_count > 0};
@@ -65,7 +74,10 @@ void shader_find_interface(const struct shader_program *program, struct shader_i
             interface->reads[node->immediate] = interface->derives[node->immediate] = true;
             break;
         case SHADER_BUILT_IN: interface->built_in[node->immediate] = true; break;
-        case SHADER_OUTPUT: interface->writes[node->immediate] = true; break;
+        case SHADER_OUTPUT:
+            interface->writes[node->immediate] =
+                interface->writes[node->immediate] || !is_default(program, node, interface->is_captured);
+            break;
         case SHADER_DISCARD: interface->discards = true; break;
         case SHADER_STORE:
             interface->has_effects =

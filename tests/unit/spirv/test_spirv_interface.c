@@ -127,6 +127,7 @@ static void test_varyings_keep_their_qualifiers(void **state)
     struct rig rig;
     rhw_shader_program *const program = open_rig(&rig, SPIRV_CREATE(interface_vert, RHW_SHADER_VERTEX),
                                                  SPIRV_CREATE(interface_frag, RHW_SHADER_FRAGMENT), 5);
+    assert_true(rhw_shader_program_get(program)->writes_point_size);
     const struct rhw_shader_frame frame = {.push_size = 0};
     // The first triangle lies where no clip distance is positive.
     struct interface_vertex vertices[6] = {
@@ -251,6 +252,7 @@ static void test_derivatives_stand_apart(void **state)
                                                  SPIRV_CREATE(apart_frag, RHW_SHADER_FRAGMENT), 1);
     const struct rhw_program *linked = rhw_shader_program_get(program);
     assert_int_equal(linked->varying_count, 6);
+    assert_false(linked->writes_point_size); // it is 1
     for (int i = 0; i < 6; i++) {
         assert_int_equal(linked->varyings[i].components, i % 3 == 2 ? 2 : 1);
         assert_int_equal(linked->varyings[i].derivatives, i % 3 == 1);
