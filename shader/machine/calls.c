@@ -31,20 +31,6 @@ typedef rhw_int vector_i;
 #undef ONE
 #undef TWO
 
-static rhw_float call_SINE_FIRST(rhw_float *cosine, rhw_float a)
-{
-    rhw_float sine;
-    rhw_sincos(a, &sine, cosine);
-    return sine;
-}
-
-static rhw_float call_COSINE_FIRST(rhw_float *sine, rhw_float a)
-{
-    rhw_float cosine;
-    rhw_sincos(a, sine, &cosine);
-    return cosine;
-}
-
 static rhw_int call_BALLOT(rhw_int truth, rhw_int mask)
 {
     return rhw_spirv_ballot(truth, mask);
@@ -340,14 +326,6 @@ static int32_t call_NEEDS_GRADIENT(const struct shader_found *texture, const str
     return -rhw_binding_sample_needs_gradient(texture->binding, sampler->binding);
 }
 
-// Sample what all lanes name, at a level of detail that has no least.
-static void call_SAMPLE_ONE(const struct shader_found *one, const struct shader_request *r,
-                            rhw_float texel[4], uint32_t flags)
-{
-    const struct rhw_sample_request request = request_of(r, flags);
-    rhw_binding_sample(one->binding, &request, texel);
-}
-
 static void call_COMPARE_WINDOW(const struct shader_found *one, const struct shader_request *r,
                                 uint32_t flags, uint32_t columns, uint32_t rows, rhw_float *parts)
 {
@@ -411,23 +389,37 @@ static int call_GIVEN_UP(const struct rhw_bindings *bindings)
 #define TWO(name, result, first, second, function) ENTRY(name),
 static shader_call_function *const functions[SHADER_CALLS] = {
 #include "form/function.inc"
-    ENTRY(BALLOT),         ENTRY(SHUFFLE),
-    ENTRY(SCAN),           ENTRY(INPUT_BESIDE),
-    ENTRY(INPUT_BELOW),    ENTRY(INPUT_AT),
-    ENTRY(SAMPLE_X),       ENTRY(SAMPLE_Y),
-    ENTRY(LOAD),           ENTRY(STORE),
-    ENTRY(STORE8),         [SHADER_STORE16] = (shader_call_function *)call_STORE8,
-    ENTRY(LENGTH),         ENTRY(ATOMIC),
-    ENTRY(IMAGE_ATOMIC),   ENTRY(SAMPLE),
-    ENTRY(NEEDS_GRADIENT), ENTRY(IMAGE_STORE),
-    MORE(PUSH_WORD),       MORE(PUSH),
-    MORE(SINE_FIRST),      MORE(COSINE_FIRST),
-    MORE(FIND_WORDS),      MORE(FIND_SHARED),
-    MORE(FIND_PAIR),       MORE(SAMPLE_ONE),
-    MORE(COMPARE_WINDOW),  MORE(FIND_PLANE),
-    MORE(FETCH_PLANE),     MORE(LIST),
-    MORE(SAMPLE_GROUPS),   MORE(LOAD_WORDS),
-    MORE(SHARE),           MORE(OWN_STORE),
+    ENTRY(BALLOT),
+    ENTRY(SHUFFLE),
+    ENTRY(SCAN),
+    ENTRY(INPUT_BESIDE),
+    ENTRY(INPUT_BELOW),
+    ENTRY(INPUT_AT),
+    ENTRY(SAMPLE_X),
+    ENTRY(SAMPLE_Y),
+    ENTRY(LOAD),
+    ENTRY(STORE),
+    ENTRY(STORE8),
+    [SHADER_STORE16] = (shader_call_function *)call_STORE8,
+    ENTRY(LENGTH),
+    ENTRY(ATOMIC),
+    ENTRY(IMAGE_ATOMIC),
+    ENTRY(SAMPLE),
+    ENTRY(NEEDS_GRADIENT),
+    ENTRY(IMAGE_STORE),
+    MORE(PUSH_WORD),
+    MORE(PUSH),
+    MORE(FIND_WORDS),
+    MORE(FIND_SHARED),
+    MORE(FIND_PAIR),
+    MORE(COMPARE_WINDOW),
+    MORE(FIND_PLANE),
+    MORE(FETCH_PLANE),
+    MORE(LIST),
+    MORE(SAMPLE_GROUPS),
+    MORE(LOAD_WORDS),
+    MORE(SHARE),
+    MORE(OWN_STORE),
     MORE(GIVEN_UP),
 };
 #undef ENTRY

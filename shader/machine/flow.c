@@ -93,12 +93,6 @@ static void generate_set(struct shader_generator *g, const struct shader_node *n
     if (is_whole) {
         const struct x86_operand from = shader_anywhere(g, value);
         int reg = g->values[home].reg;
-        const bool is_last = g->values[value].end == g->place && value != home;
-        if (from.reg >= 0 && is_last && (reg < 0 || g->loop_depth == 0)) { // its register is the home's now
-            g->values[value].reg = -1;
-            shader_assign(g, home, from.reg);
-            return;
-        }
         if (reg < 0) {
             reg = shader_temporary(g);
             shader_assign(g, home, reg);
@@ -175,18 +169,6 @@ static void generate_branch(struct shader_generator *g, uint32_t begin, uint32_t
     g->is_dead = false;
 }
 
-// Return the structure that all lanes leave in an ELSE that holds nothing more, or SHADER_NONE.
-static uint32_t left_otherwise(const struct shader_generator *g, const struct shader_structure *structure)
-{
-    const uint32_t otherwise = structure->otherwise;
-    if (!structure->is_uniform || otherwise == SHADER_NONE || structure->end != otherwise + 2 ||
-        shader_op_at(&g->plan, otherwise + 1) != SHADER_LEAVE) {
-        return SHADER_NONE;
-    }
-    const uint32_t target = g->plan.place[g->form->nodes[g->form->code[otherwise + 1]].operands[0]];
-    return g->plan.structures[target].is_uniform ? target : SHADER_NONE;
-}
-
 // Return true for an IF that is as fast without a jump: a few instructions under its mask.
 static bool is_short_if(const struct shader_generator *g, uint32_t place)
 {
@@ -208,10 +190,10 @@ static void generate_if(struct shader_generator *g, uint32_t place)
 {
     const struct shader_structure *const structure = &g->plan.structures[place];
     const uint32_t condition = g->form->nodes[g->form->code[place]].operands[0];
-    const uint32_t before = g->mask, left = left_otherwise(g, structure);
-    const bool has_else = structure->otherwise != SHADER_NONE && left == SHADER_NONE;
-    const uint32_t middle = structure->otherwise != SHADER_NONE ? structure->otherwise : structure->end;
-    struct shader_edge *const otherwise = left != SHADER_NONE ? g->ends[left] : shader_new_edge(g);
+    const uint32_t before = g->mask;
+    const bool has_else = structure->otherwise != SHADER_NONE;
+    const uint32_t middle = has_else ? structure->otherwise : structure->end;
+    struct shader_edge *const otherwise = shader_new_edge(g);
     struct shader_edge *const end = has_else ? shader_new_edge(g) : otherwise;
     uint32_t inside = before;
     const bool is_short = is_short_if(g, place);
@@ -226,8 +208,7 @@ static void generate_if(struct shader_generator *g, uint32_t place)
         test_mask(g, inside);
     }
     if (!is_short) {
-        shader_edge_jump_if(g, X86_EQUAL, otherwise,
-                            left != SHADER_NONE ? g->plan.structures[left].end : middle);
+        shader_edge_jump_if(g, X86_EQUAL, otherwise, middle);
     }
     shader_end_place(g);
     generate_branch(g, place + 1, middle, inside);
@@ -248,7 +229,7 @@ static void generate_if(struct shader_generator *g, uint32_t place)
         shader_drop_value(g, outside);
     }
     g->place = structure->end;
-    if (left == SHADER_NONE && !is_short) {
+    if (!is_short) {
         come_together(g, end, structure->end);
     }
     if (!structure->is_uniform) {

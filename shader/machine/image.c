@@ -197,8 +197,6 @@ static void invoke_image(struct shader_generator *g, uint32_t value, bool is_sto
         put_operand(g, g->mask, offsetof(struct shader_request, mask));
     }
     struct shader_invocation call = {.which = node->op, .argument_count = 4, .result = SHADER_NONE};
-    const uint32_t unlike = (15u ^ SHADER_DO_SAMPLE) | SHADER_IMAGE_HAS_LEAST_LOD;
-    const bool is_plain = node->op == SHADER_SAMPLE && is_one && (node->immediate & unlike) == 0;
     call.arguments[0] = shader_bound_argument();
     call.arguments[1] = shader_site_argument(g, texture, sampler, node->immediate, 0);
     call.arguments[2] = is_one ? shader_one_image(g, texture, sampler) : shader_number_argument(0);
@@ -206,14 +204,6 @@ static void invoke_image(struct shader_generator *g, uint32_t value, bool is_sto
     if (!is_store) {
         shader_take_block(g, value);
         call.arguments[call.argument_count++] = shader_address_argument(shader_home_of(g, value));
-    }
-    if (is_plain) {
-        call.which = SHADER_CALL_SAMPLE_ONE;
-        call.argument_count = 4;
-        call.arguments[0] = call.arguments[2];
-        call.arguments[1] = call.arguments[3];
-        call.arguments[2] = call.arguments[4];
-        call.arguments[3] = shader_number_argument(node->immediate);
     }
     shader_invoke(g, &call);
 }
