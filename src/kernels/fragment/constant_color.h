@@ -9,18 +9,38 @@
 #include "blend.h"
 #include "expand.h"
 
+// Put 8 texels of `size` bytes into each row of a block. They are loaded once: as far as a compiler knows, each store
+// into the tile may change them.
+RHW_INLINE void fill_rows_of_block(unsigned char *texels, const unsigned char *constant, size_t size)
+{
+    const size_t stride = RHW_TILE * size, bytes = RHW_LANES * size;
+    unsigned char small[16]; // bytes that are no whole vector: 8 or 16
+    i32x8 vector[RHW_LANES * RHW_TEXEL_BYTES / sizeof(i32x8)];
+    memcpy(small, constant, bytes < sizeof small ? bytes : sizeof small);
+    for (size_t i = 0; i < bytes / sizeof *vector; i++) {
+        vector[i] = i32x8_load(constant + i * sizeof *vector);
+    }
+    for (int row = 0; row < RHW_BLOCK; row++) {
+        unsigned char *const to = texels + (size_t)row * stride;
+        for (size_t i = 0; i < bytes / sizeof *vector; i++) {
+            i32x8_store(to + i * sizeof *vector, vector[i]);
+        }
+        if (bytes < sizeof *vector) {
+            memcpy(to, small, bytes);
+        }
+    }
+}
+
 // Put 8 texels of `size` bytes into each row of a block, where `mask` is set.
 RHW_INLINE void replace_block(unsigned char *texels, const unsigned char *constant, uint64_t mask,
                               size_t size)
 {
-    const size_t stride = RHW_TILE * size, bytes = RHW_LANES * size;
     // If a draw is large, most of its blocks are covered all over.
     if (mask == ~(uint64_t)0) {
-        for (int row = 0; row < RHW_BLOCK; row++) {
-            memcpy(texels + (size_t)row * stride, constant, bytes);
-        }
+        fill_rows_of_block(texels, constant, size);
         return;
     }
+    const size_t stride = RHW_TILE * size;
     struct raw_texels raw;
     load_texel_row(size, constant, &raw);
     for (int row = 0; row < RHW_BLOCK; row++) {
@@ -29,7 +49,8 @@ RHW_INLINE void replace_block(unsigned char *texels, const unsigned char *consta
     }
 }
 
-// Do what replace_block does. The function is not inline, since formats of texels of 4 bytes are the usual ones.
+// Do what replace_block does. The function is not inline: blocks of texels of 4 bytes that are covered all over are the
+// usual ones, and the masks of others would be made for them too.
 static __attribute__((noinline)) void replace_sized_block(unsigned char *texels,
                                                           const unsigned char *constant, uint64_t mask,
                                                           size_t size)
@@ -54,8 +75,8 @@ RHW_INLINE void blend_constant_sample(struct tile_work *work, int sample, int x,
         const struct rhw_blend_state *const state = &work->state->blend[t];
         const size_t size = work->target->colors[t].texel_size;
         unsigned char *const texels = color_of_sample(scratch, t, sample) + (size_t)(y * RHW_TILE + x) * size;
-        if (state->path == BLEND_RGBA8_REPLACE) {
-            replace_block(texels, scratch->constant[t], mask, 4);
+        if (state->path == BLEND_RGBA8_REPLACE && mask == ~(uint64_t)0) {
+            fill_rows_of_block(texels, scratch->constant[t], 4);
             continue;
         }
         if (replaces_texels(state)) {

@@ -342,8 +342,9 @@ static uint64_t hash_of_resolved(enum rhw_format format, enum way way, int sampl
 static void test_paths_agree_on_resolved(void **state)
 {
     (void)state;
-    static const enum rhw_format formats[] = {RHW_FORMAT_RGBA8_UNORM, RHW_FORMAT_RGBA8_SRGB,
-                                              RHW_FORMAT_R32_FLOAT, RHW_FORMAT_RGBA16_FLOAT};
+    static const enum rhw_format formats[] = {
+        RHW_FORMAT_RGBA8_UNORM, RHW_FORMAT_RGBA8_SRGB, RHW_FORMAT_R32_FLOAT,   RHW_FORMAT_RGBA16_FLOAT,
+        RHW_FORMAT_R8_UNORM,    RHW_FORMAT_RG8_UNORM,  RHW_FORMAT_RGBA32_FLOAT};
     for (size_t i = 0; i < sizeof formats / sizeof *formats; i++) {
         for (int way = 0; way < WAYS; way++) {
             for (int samples = 2; samples <= 4; samples *= 2) {
