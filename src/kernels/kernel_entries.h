@@ -26,6 +26,7 @@ rhw_sample_function RHW_ISA_NAME(rhw_sample_general);
 rhw_sample_function RHW_ISA_NAME(rhw_sample_anisotropic);
 rhw_sample_function RHW_ISA_NAME(rhw_sample_fixed_anisotropic);
 rhw_sample_function RHW_ISA_NAME(rhw_sample_fixed_anisotropic_general);
+rhw_sample_axis_groups_function RHW_ISA_NAME(rhw_sample_axis_groups);
 rhw_sample_function RHW_ISA_NAME(rhw_sample_biased);
 rhw_gather_function RHW_ISA_NAME(rhw_gather_texels);
 rhw_fetch_function RHW_ISA_NAME(rhw_fetch_texels);

@@ -19,6 +19,7 @@ const struct rhw_kernels RHW_ISA_NAME(rhw_kernels) = {
     .sample_anisotropic = RHW_ISA_NAME(rhw_sample_anisotropic),
     .sample_fixed_anisotropic = RHW_ISA_NAME(rhw_sample_fixed_anisotropic),
     .sample_fixed_anisotropic_general = RHW_ISA_NAME(rhw_sample_fixed_anisotropic_general),
+    .sample_axis_groups = RHW_ISA_NAME(rhw_sample_axis_groups),
     .sample_biased = RHW_ISA_NAME(rhw_sample_biased),
     .gather = RHW_ISA_NAME(rhw_gather_texels),
     .fetch = RHW_ISA_NAME(rhw_fetch_texels),

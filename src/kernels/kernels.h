@@ -36,6 +36,11 @@ typedef void rhw_sample_groups_function(const struct rhw_binding_data *bindings,
                                         const struct rhw_fragment *groups, int count, uint32_t slots, int at,
                                         rhw_float (*texels)[4], int stride);
 
+// Do what rhw_sample_groups does, for one binding.
+typedef void rhw_sample_axis_groups_function(const struct rhw_binding_data *binding,
+                                             const struct rhw_fragment *groups, int count, int at,
+                                             rhw_float (*texels)[4], int stride);
+
 // Give the texels of rhw_sample_gather or of rhw_sample_fetch, or the answers of rhw_sample_query_lod or
 // rhw_sample_size, of a binding that has a texture.
 typedef void rhw_gather_function(const struct rhw_binding_data *binding,
@@ -82,6 +87,8 @@ struct rhw_kernels {
     rhw_sample_function *sample_anisotropic;
     // Take several samples of an RGBA8 texture, in fixed point as sample_unorm8 and sample_unorm8_general do.
     rhw_sample_function *sample_fixed_anisotropic, *sample_fixed_anisotropic_general;
+    // Sample groups of a binding that samples by sample_fixed_anisotropic.
+    rhw_sample_axis_groups_function *sample_axis_groups;
     // Sample a bound texture at the level of a request with a bias, by the function that the binding has.
     rhw_sample_function *sample_biased;
     rhw_gather_function *gather;

@@ -34,6 +34,17 @@ void RHW_ISA_NAME(rhw_sample_fixed_anisotropic_general)(const struct rhw_binding
     sample_fixed_anisotropic(binding, request, FOOTPRINTS_WRAPPED, texel);
 }
 
+void RHW_ISA_NAME(rhw_sample_axis_groups)(const struct rhw_binding_data *binding,
+                                          const struct rhw_fragment *groups, int count, int at,
+                                          rhw_float (*texels)[4], int stride)
+{
+    if (binding->texture->info->codec == RHW_CODEC_SRGB8) {
+        sample_axis_groups(binding, groups, count, at, RHW_CODEC_SRGB8, texels, stride);
+    } else {
+        sample_axis_groups(binding, groups, count, at, RHW_CODEC_UNORM8, texels, stride);
+    }
+}
+
 void RHW_ISA_NAME(rhw_sample_biased)(const struct rhw_binding_data *binding,
                                      const struct rhw_sample_request *request, rhw_float texel[4])
 {

@@ -25,7 +25,7 @@ RHW_INLINE void add_fixed(struct fixed_sums *sums, struct fixed_texels sample, i
 
 // Where a footprint's samples stand, and in which levels.
 struct fixed_axis {
-    f32x8 middle[2], change[2];
+    f32x8 change[2];    // change of coordinates along the axis
     f32x8 count, parts; // N of each lane, and N + 1, into which the samples divide the axis
     i32x8 lod;          // level of detail, 16.16
 };
@@ -44,9 +44,10 @@ static __attribute__((noinline)) void sample_fixed_apart_levels(const struct rhw
     }
 }
 
-RHW_INLINE void sample_fixed_axis(const struct rhw_binding_data *binding, const struct fixed_axis *axis,
-                                  enum rhw_texel_codec codec, enum footprint_path path,
-                                  struct fixed_sums *sums)
+// Add up the samples of a footprint around `middle`.
+RHW_INLINE void sample_fixed_axis(const struct rhw_binding_data *binding, const f32x8 middle[2],
+                                  const struct fixed_axis *axis, enum rhw_texel_codec codec,
+                                  enum footprint_path path, struct fixed_sums *sums)
 {
     const struct rhw_sampler_def *const def = &binding->sampler->def;
     const i32x8 weight = i32x8_halve_lower(axis->lod);
@@ -56,8 +57,8 @@ RHW_INLINE void sample_fixed_axis(const struct rhw_binding_data *binding, const 
     i32x8 counts = i32x8_splat(-1);
     do {
         const f32x8 along = number / axis->parts - 0.5f;
-        const f32x8 at[2] = {fold_coordinate(def->address_u, axis->middle[0] + axis->change[0] * along),
-                             fold_coordinate(def->address_v, axis->middle[1] + axis->change[1] * along)};
+        const f32x8 at[2] = {fold_coordinate(def->address_u, middle[0] + axis->change[0] * along),
+                             fold_coordinate(def->address_v, middle[1] + axis->change[1] * along)};
         struct fixed_texels sample;
         if (two_levels) {
             const struct fixed_texels a = filter_fixed(binding->sampler, fine, at[0], at[1], codec, path);
@@ -90,29 +91,62 @@ RHW_INLINE void find_plain_axis(const struct rhw_binding_data *binding,
     find_longer_axis(binding, request, ux * ux + vx * vx, uy * uy + vy * vy, 2, axis);
 }
 
+RHW_INLINE void find_fixed_axis(const struct rhw_binding_data *binding,
+                                const struct rhw_sample_request *request, struct fixed_axis *fixed)
+{
+    struct long_axis axis;
+    find_plain_axis(binding, request, &axis);
+    *fixed = (struct fixed_axis){{axis.change[0], axis.change[1]},
+                                 axis.count,
+                                 axis.count + 1.0f,
+                                 fixed_level_of_detail(binding, NULL, &axis.level)};
+}
+
+// Average the samples of a footprint around `middle`.
+RHW_INLINE void average_fixed_axis(const struct rhw_binding_data *binding, const f32x8 middle[2],
+                                   const struct fixed_axis *axis, enum rhw_texel_codec codec,
+                                   enum footprint_path path, f32x8 texel[4])
+{
+    struct fixed_sums sums = {{i32x8_splat(0), i32x8_splat(0), i32x8_splat(0), i32x8_splat(0)}};
+    sample_fixed_axis(binding, middle, axis, codec, path, &sums);
+    for (int c = 0; c < 4; c++) {
+        texel[c] = average_to_float(sums.channel[c], axis->count);
+    }
+}
+
 RHW_INLINE void sample_fixed_anisotropic(const struct rhw_binding_data *binding,
                                          const struct rhw_sample_request *request, enum footprint_path path,
                                          f32x8 texel[4])
 {
-    struct long_axis axis;
     if (!request->gradient || request->offset) {
         sample_anisotropic(binding, request, texel);
         return;
     }
-    find_plain_axis(binding, request, &axis);
-    const struct fixed_axis fixed = {{request->coordinates[0], request->coordinates[1]},
-                                     {axis.change[0], axis.change[1]},
-                                     axis.count,
-                                     axis.count + 1.0f,
-                                     fixed_level_of_detail(binding, NULL, &axis.level)};
-    struct fixed_sums sums = {{i32x8_splat(0), i32x8_splat(0), i32x8_splat(0), i32x8_splat(0)}};
+    struct fixed_axis axis;
+    find_fixed_axis(binding, request, &axis);
     if (binding->texture->info->codec == RHW_CODEC_SRGB8) {
-        sample_fixed_axis(binding, &fixed, RHW_CODEC_SRGB8, path, &sums);
+        average_fixed_axis(binding, request->coordinates, &axis, RHW_CODEC_SRGB8, path, texel);
     } else {
-        sample_fixed_axis(binding, &fixed, RHW_CODEC_UNORM8, path, &sums);
+        average_fixed_axis(binding, request->coordinates, &axis, RHW_CODEC_UNORM8, path, texel);
     }
-    for (int c = 0; c < 4; c++) {
-        texel[c] = average_to_float(sums.channel[c], axis.count);
+}
+
+// Sample several groups. The axis of a footprint takes a chain of operations, each of which waits for the one before:
+// the chains of all groups come first, so that they wait together.
+RHW_INLINE void sample_axis_groups(const struct rhw_binding_data *binding, const struct rhw_fragment *groups,
+                                   int count, int at, enum rhw_texel_codec codec, f32x8 (*texels)[4],
+                                   int stride)
+{
+    struct fixed_axis axis[RHW_MAX_GROUPS];
+    for (int g = 0; g < count; g++) {
+        const struct rhw_fragment *const group = &groups[g];
+        const f32x8 gradient[4] = {group->ddx[at], group->ddx[at + 1], group->ddy[at], group->ddy[at + 1]};
+        const struct rhw_sample_request request = {.coordinates = &group->varying[at], .gradient = gradient};
+        find_fixed_axis(binding, &request, &axis[g]);
+    }
+    for (int g = 0; g < count; g++) {
+        average_fixed_axis(binding, &groups[g].varying[at], &axis[g], codec, FOOTPRINTS_INTERIOR,
+                           texels[g * stride]);
     }
 }
 

@@ -191,6 +191,10 @@ static void sample_slot(const struct rhw_binding_data *binding, const struct rhw
         sample_fixed_groups(binding, groups, count, at, RHW_CODEC_SRGB8, texels, stride);
         return;
     }
+    if (binding->sample == binding->kernels->sample_fixed_anisotropic) {
+        binding->kernels->sample_axis_groups(binding, groups, count, at, texels, stride);
+        return;
+    }
     for (int g = 0; g < count; g++) {
         sample_group(binding, &groups[g], at, texels[g * stride]);
     }

@@ -452,6 +452,7 @@ static void test_slots_sampled_at_once(void **state)
                                                other ? 32 : 64, 64, RHW_MIP_LEVELS_ALL, &random);
             samplers[i] = samplers[0];
             samplers[i].lod_bias += rig_random_int(&random, 6) == 0 ? 1.0f : 0.0f;
+            samplers[i].max_anisotropy = rig_random_int(&random, 6) == 0 ? 8.0f : samplers[i].max_anisotropy;
             bindings.slot[i] = bind(rig.context, textures[i], &samplers[i], isa, paths);
             if (rig_random_int(&random, 12) == 0) {
                 bindings.slot[i] = rhw_binding_of(rhw_kernels_for(isa), paths, NULL, NULL);
