@@ -145,7 +145,8 @@ static void set_coat(struct scene_layered *m, const struct rhw_fragment *f, cons
 // Find the light from behind along the ray that enters with index of refraction `ior`, from where it leaves the volume.
 // The surroundings fill what the picture behind does not cover.
 static void look_through(const struct rhw_fragment *f, const struct scene_surface *s,
-                         const struct scene_layered *m, float ior, rhw_float thickness, rhw_float light[4])
+                         const struct scene_environment_lanes *surroundings, const struct scene_layered *m,
+                         float ior, rhw_float thickness, rhw_float light[4])
 {
     const struct scene_frame *frame = s->frame;
     const float eta = 1.0f / ior;
@@ -164,7 +165,7 @@ static void look_through(const struct rhw_fragment *f, const struct scene_surfac
     const rhw_float rough = rhw_max(m->roughness - 0.045f, 0.0f) * blur;
     rhw_sample_lod(f->bindings, SCENE_SLOT_BACKDROP, uv, rough * frame->backdrop_levels, light);
     if (rhw_any(f->mask & rhw_less(light[3], 1.0f))) { // where the picture covers all, this adds nothing
-        scene_environment_reflection(&frame->environment, f->bindings, direction, rough * rough, around);
+        scene_environment_reflection(surroundings, f->bindings, direction, rough * rough, around);
         for (int c = 0; c < 3; c++) {
             light[c] += (1.0f - light[3]) * around[c];
         }
@@ -172,7 +173,8 @@ static void look_through(const struct rhw_fragment *f, const struct scene_surfac
 }
 
 static void find_behind(const struct rhw_fragment *f, const struct scene_surface *s,
-                        const struct scene_layered *m, rhw_float behind[3])
+                        const struct scene_environment_lanes *surroundings, const struct scene_layered *m,
+                        rhw_float behind[3])
 {
     const struct scene_layers *l = s->layers;
     const rhw_float thickness = layer_factor(f, s, s->thickness, SCENE_SLOT_THICKNESS, 1);
@@ -181,13 +183,14 @@ static void find_behind(const struct rhw_fragment *f, const struct scene_surface
     for (int c = 0; c < 3; c++) {
         // Red is bent least.
         if (c == 0 || spread > 0.0f) {
-            look_through(f, s, m, l->ior + spread * (float)(c - 1), thickness, light);
+            look_through(f, s, surroundings, m, l->ior + spread * (float)(c - 1), thickness, light);
         }
         behind[c] = light[c] * m->diffuse[c] * rhw_exp2(s->attenuation[c] * thickness);
     }
 }
 
-ALWAYS_INLINE void shade(struct rhw_fragment *f, const struct scene_surface *s)
+ALWAYS_INLINE void shade(struct rhw_fragment *f, const struct scene_surface *s,
+                         const struct scene_environment_lanes *surroundings)
 {
     slot_texels texels;
     rhw_float base[4], texel[4];
@@ -230,13 +233,13 @@ ALWAYS_INLINE void shade(struct rhw_fragment *f, const struct scene_surface *s)
         occlusion = rhw_min(occlusion, ambient_open(f, frame, position));
     }
     if (l->transmission > 0.0f) {
-        find_behind(f, s, &m, behind);
+        find_behind(f, s, surroundings, &m, behind);
     }
     const bool glows = layer_texel(f, s, SCENE_SLOT_EMISSIVE, texel);
     for (int c = 0; c < 3; c++) { // the light comes from beneath the coat
         sum[c] = m.under_coat * (glows ? s->emissive[c] * texel[c] : rhw_splat(s->emissive[c]));
     }
-    scene_layers_environment(&m, &frame->environment, f->bindings, occlusion, behind, sum);
+    scene_layers_environment(&m, surroundings, f->bindings, occlusion, behind, sum);
     for (int i = 0; i < frame->light_count; i++) {
         const struct scene_shader_light *light = &frame->lights[i];
         rhw_float to_light[3], irradiance[3];
@@ -251,8 +254,11 @@ ALWAYS_INLINE void shade(struct rhw_fragment *f, const struct scene_surface *s)
 
 static void layered_fragment(struct rhw_fragment *groups, int count)
 {
+    const struct scene_surface *s = groups->uniforms;
+    struct scene_environment_lanes surroundings;
+    scene_environment_lanes_set(&surroundings, &s->frame->environment);
     for (int g = 0; g < count; g++) {
-        shade(&groups[g], groups->uniforms);
+        shade(&groups[g], s, &surroundings);
     }
 }
 

@@ -76,36 +76,66 @@ static inline void scene_reflect_light(const struct scene_reflector *r, const rh
     }
 }
 
+/// The surroundings with every number in all lanes: an instruction takes one from memory as an operand, where a number
+/// by itself has to be loaded into all lanes first. They are set once for the groups of a call.
+struct scene_environment_lanes {
+    const struct scene_environment *of;
+    rhw_float up[3], ground[3], rise[3]; // `rise` leads from the ground's colour to the sky's
+    rhw_float lobe_direction[SCENE_LOBES][3], lobe_color[SCENE_LOBES][3];
+    rhw_float twice_sharpness, sharpness_log2; // twice the sharpness, and the sharpness over ln 2
+    rhw_float diffuse[3];
+};
+
+static inline void scene_environment_lanes_set(struct scene_environment_lanes *s,
+                                               const struct scene_environment *e)
+{
+    s->of = e;
+    if (e->mapped) {
+        return;
+    }
+    for (int c = 0; c < 3; c++) {
+        s->up[c] = rhw_splat(e->up[c]);
+        s->ground[c] = rhw_splat(e->ground[c]);
+        s->rise[c] = rhw_splat(e->sky[c] - e->ground[c]);
+        s->diffuse[c] = rhw_splat(e->diffuse[c]);
+        for (int i = 0; i < SCENE_LOBES; i++) {
+            s->lobe_direction[i][c] = rhw_splat(e->lobe_direction[i][c]);
+            s->lobe_color[i][c] = rhw_splat(e->lobe_color[i][c]);
+        }
+    }
+    s->twice_sharpness = rhw_splat(2.0f * e->sharpness);
+    s->sharpness_log2 = rhw_splat(e->sharpness * 1.44269504f);
+}
+
 /// Find the radiance that the surroundings send along −direction after a blur by roughness squared `alpha`. The normal
 /// distribution is close to a Gaussian of sharpness 2 / α², and its reflection is close to one of a fourth of that
 /// sharpness. Gaussians convolve into Gaussians: with k = 1 / (1 + 2 λ α²) sharpness and amplitude shrink by k.
-static inline void scene_environment_reflection(const struct scene_environment *e,
+static inline void scene_environment_reflection(const struct scene_environment_lanes *s,
                                                 const struct rhw_bindings *bindings,
                                                 const rhw_float direction[3], rhw_float alpha,
                                                 rhw_float radiance[3])
 {
-    if (e->mapped) {
+    if (s->of->mapped) {
         rhw_float texel[4];
-        rhw_sample_lod(bindings, SCENE_SLOT_ENVIRONMENT, direction, rhw_sqrt(alpha) * e->levels, texel);
+        rhw_sample_lod(bindings, SCENE_SLOT_ENVIRONMENT, direction, rhw_sqrt(alpha) * s->of->levels, texel);
         for (int c = 0; c < 3; c++) {
-            radiance[c] = texel[c] * e->strength;
+            radiance[c] = texel[c] * s->of->strength;
         }
         return;
     }
     const rhw_float alpha2 = alpha * alpha;
-    const rhw_float height = direction[0] * e->up[0] + direction[1] * e->up[1] + direction[2] * e->up[2];
+    const rhw_float height = rhw_dot3(direction, s->up);
     const rhw_float above = 0.5f + 0.5f * height * rhw_rsqrt(height * height + (0.03f + 1.2f * alpha2));
     for (int c = 0; c < 3; c++) {
-        radiance[c] = e->ground[c] + (e->sky[c] - e->ground[c]) * above;
+        radiance[c] = s->ground[c] + s->rise[c] * above;
     }
-    const rhw_float k = 1.0f / (1.0f + 2.0f * e->sharpness * alpha2);
-    const rhw_float exponent = k * (e->sharpness * 1.44269504f);
+    const rhw_float k = 1.0f / (1.0f + s->twice_sharpness * alpha2);
+    const rhw_float exponent = k * s->sharpness_log2;
     for (int i = 0; i < SCENE_LOBES; i++) {
-        const float *d = e->lobe_direction[i], *color = e->lobe_color[i];
-        const rhw_float cosine = direction[0] * d[0] + direction[1] * d[1] + direction[2] * d[2];
+        const rhw_float cosine = rhw_dot3(direction, s->lobe_direction[i]);
         const rhw_float value = k * rhw_exp2(exponent * (cosine - 1.0f));
         for (int c = 0; c < 3; c++) {
-            radiance[c] += color[c] * value;
+            radiance[c] += s->lobe_color[i][c] * value;
         }
     }
 }
@@ -133,24 +163,22 @@ static inline void scene_harmonics(const float k[9][3], const rhw_float n[3], rh
 
 /// Find irradiance / π of the surroundings on a surface that faces `normal`. Every lobe has zonal harmonics up to order
 /// 2. The sky's half of the sphere gives exactly (1 + cos) / 2.
-static inline void scene_environment_diffuse(const struct scene_environment *e, const rhw_float normal[3],
-                                             rhw_float irradiance[3])
+static inline void scene_environment_diffuse(const struct scene_environment_lanes *s,
+                                             const rhw_float normal[3], rhw_float irradiance[3])
 {
-    if (e->mapped) {
-        scene_harmonics(e->irradiance, normal, irradiance);
+    if (s->of->mapped) {
+        scene_harmonics(s->of->irradiance, normal, irradiance);
         return;
     }
-    const rhw_float height = normal[0] * e->up[0] + normal[1] * e->up[1] + normal[2] * e->up[2];
-    const rhw_float above = 0.5f + 0.5f * height;
+    const rhw_float above = 0.5f + 0.5f * rhw_dot3(normal, s->up);
     for (int c = 0; c < 3; c++) {
-        irradiance[c] = e->ground[c] + (e->sky[c] - e->ground[c]) * above;
+        irradiance[c] = s->ground[c] + s->rise[c] * above;
     }
     for (int i = 0; i < SCENE_LOBES; i++) {
-        const float *d = e->lobe_direction[i], *color = e->lobe_color[i];
-        const rhw_float t = normal[0] * d[0] + normal[1] * d[1] + normal[2] * d[2];
-        const rhw_float value = rhw_max(e->diffuse[0] + t * (e->diffuse[1] + t * e->diffuse[2]), 0.0f);
+        const rhw_float t = rhw_dot3(normal, s->lobe_direction[i]);
+        const rhw_float value = rhw_max(s->diffuse[0] + t * (s->diffuse[1] + t * s->diffuse[2]), 0.0f);
         for (int c = 0; c < 3; c++) {
-            irradiance[c] += color[c] * value;
+            irradiance[c] += s->lobe_color[i][c] * value;
         }
     }
 }
@@ -181,7 +209,7 @@ static inline rhw_float scene_specular_occlusion(rhw_float occlusion, rhw_float 
 /// Add what the surroundings send to the eye, dimmed by `occlusion`. Light that bounces between the facets of a rough
 /// surface is given back (Turquin 2019), since rough metals would come out too dark.
 static inline void scene_reflect_environment(const struct scene_reflector *r,
-                                             const struct scene_environment *e,
+                                             const struct scene_environment_lanes *s,
                                              const struct rhw_bindings *bindings, rhw_float roughness,
                                              rhw_float occlusion, rhw_float sum[3])
 {
@@ -190,8 +218,8 @@ static inline void scene_reflect_environment(const struct scene_reflector *r,
         incident[c] = -r->view[c];
     }
     rhw_reflect3(incident, r->normal, direction);
-    scene_environment_reflection(e, bindings, direction, r->alpha, mirrored);
-    scene_environment_diffuse(e, r->normal, diffuse);
+    scene_environment_reflection(s, bindings, direction, r->alpha, mirrored);
+    scene_environment_diffuse(s, r->normal, diffuse);
     scene_environment_brdf(roughness, r->n_dot_v, &scale, &bias);
     const rhw_float lost = 1.0f / (scale + bias) - 1.0f;
     const rhw_float mirrors = scene_specular_occlusion(occlusion, r->n_dot_v);

@@ -219,14 +219,15 @@ static inline void scene_layers_mirror(const struct scene_layered *m, rhw_float 
 }
 
 /// Add the surroundings, as scene_reflect_environment does, and `behind`, the light that comes through from behind.
-static inline void scene_layers_environment(const struct scene_layered *m, const struct scene_environment *e,
+static inline void scene_layers_environment(const struct scene_layered *m,
+                                            const struct scene_environment_lanes *s,
                                             const struct rhw_bindings *bindings, rhw_float occlusion,
                                             const rhw_float behind[3], rhw_float sum[3])
 {
     rhw_float mirrored[3], diffuse[3], direction[3], scale, bias;
     scene_layers_mirror(m, direction);
-    scene_environment_reflection(e, bindings, direction, m->alpha, mirrored);
-    scene_environment_diffuse(e, m->normal, diffuse);
+    scene_environment_reflection(s, bindings, direction, m->alpha, mirrored);
+    scene_environment_diffuse(s, m->normal, diffuse);
     scene_environment_brdf(m->roughness, m->n_dot_v, &scale, &bias);
     const rhw_float lost = 1.0f / (scale + bias) - 1.0f;
     const rhw_float mirrors = scene_specular_occlusion(occlusion, m->n_dot_v);
@@ -243,7 +244,7 @@ static inline void scene_layers_environment(const struct scene_layered *m, const
     if (m->has_coat) {
         const rhw_float incident[3] = {-m->view[0], -m->view[1], -m->view[2]};
         rhw_reflect3(incident, m->coat_normal, direction);
-        scene_environment_reflection(e, bindings, direction, m->coat_roughness * m->coat_roughness, mirrored);
+        scene_environment_reflection(s, bindings, direction, m->coat_roughness * m->coat_roughness, mirrored);
         scene_environment_brdf(m->coat_roughness, m->coat_n_dot_v, &scale, &bias);
         const rhw_float shine =
             m->coat * (0.04f * scale + bias) * scene_specular_occlusion(occlusion, m->coat_n_dot_v);

@@ -171,8 +171,9 @@ static void point_vertex(struct rhw_vertex *groups, int count)
 // Fragments -----------------------------------------------------------------------------------------
 
 // Shade a lit surface. `texels` has the texels of shared slots.
-ALWAYS_INLINE void shade_lit(struct rhw_fragment *f, const struct scene_surface *s, bool textured,
-                             bool mapped, slot_texels texels)
+ALWAYS_INLINE void shade_lit(struct rhw_fragment *f, const struct scene_surface *s,
+                             const struct scene_environment_lanes *around, bool textured, bool mapped,
+                             slot_texels texels)
 {
     rhw_float base[4];
     base_color(f, s, textured, texels, base);
@@ -211,7 +212,7 @@ ALWAYS_INLINE void shade_lit(struct rhw_fragment *f, const struct scene_surface 
     }
 
     rhw_float sum[3] = {emissive[0], emissive[1], emissive[2]};
-    scene_reflect_environment(&reflector, &frame->environment, f->bindings, roughness, occlusion, sum);
+    scene_reflect_environment(&reflector, around, f->bindings, roughness, occlusion, sum);
     for (int i = 0; i < frame->light_count; i++) {
         rhw_float to_light[3], irradiance[3];
         scene_light_at(&frame->lights[i], position, to_light, irradiance);
@@ -225,7 +226,8 @@ ALWAYS_INLINE void shade_lit(struct rhw_fragment *f, const struct scene_surface 
 }
 
 // Write how much of the light that a white ground would have is missing. It fades out with the vertex colour's alpha.
-ALWAYS_INLINE void shade_ground(struct rhw_fragment *f, const struct scene_surface *s)
+ALWAYS_INLINE void shade_ground(struct rhw_fragment *f, const struct scene_surface *s,
+                                const struct scene_environment_lanes *around)
 {
     const struct scene_frame *frame = s->frame;
     const rhw_float *position = &f->varying[s->varying_position];
@@ -238,8 +240,8 @@ ALWAYS_INLINE void shade_ground(struct rhw_fragment *f, const struct scene_surfa
     scene_reflector_set(&reflector, white, zero, white[0]);
     rhw_float lit[3] = {zero, zero, zero}, open[3] = {zero, zero, zero};
     const rhw_float occlusion = frame->guide.occlusion ? ambient_open(f, frame, position) : white[0];
-    scene_reflect_environment(&reflector, &frame->environment, f->bindings, white[0], occlusion, lit);
-    scene_reflect_environment(&reflector, &frame->environment, f->bindings, white[0], white[0], open);
+    scene_reflect_environment(&reflector, around, f->bindings, white[0], occlusion, lit);
+    scene_reflect_environment(&reflector, around, f->bindings, white[0], white[0], open);
     for (int i = 0; i < frame->light_count; i++) {
         rhw_float to_light[3], irradiance[3];
         scene_light_at(&frame->lights[i], position, to_light, irradiance);
@@ -262,17 +264,22 @@ ALWAYS_INLINE void shade_ground(struct rhw_fragment *f, const struct scene_surfa
 
 static void ground_fragment(struct rhw_fragment *groups, int count)
 {
+    const struct scene_surface *s = groups->uniforms;
+    struct scene_environment_lanes around;
+    scene_environment_lanes_set(&around, &s->frame->environment);
     for (int g = 0; g < count; g++) {
-        shade_ground(&groups[g], groups->uniforms);
+        shade_ground(&groups[g], s, &around);
     }
 }
 
 static void lit_fragment(struct rhw_fragment *groups, int count)
 {
     const struct scene_surface *s = groups->uniforms;
+    struct scene_environment_lanes around;
+    scene_environment_lanes_set(&around, &s->frame->environment);
     for (int g = 0; g < count; g++) {
         slot_texels texels;
-        shade_lit(&groups[g], s, false, false, texels);
+        shade_lit(&groups[g], s, &around, false, false, texels);
     }
 }
 
@@ -282,12 +289,14 @@ ALWAYS_INLINE void shade_textured(struct rhw_fragment *groups, int count, bool m
 {
     enum { STEP = 8 };
     const struct scene_surface *s = groups->uniforms;
+    struct scene_environment_lanes around;
+    scene_environment_lanes_set(&around, &s->frame->environment);
     for (; count > 0; groups += STEP, count -= STEP) {
         const int n = count < STEP ? count : STEP;
         slot_texels texels[STEP];
         sample_shared(groups, n, s, texels);
         for (int g = 0; g < n; g++) {
-            shade_lit(&groups[g], s, true, mapped, texels[g]);
+            shade_lit(&groups[g], s, &around, true, mapped, texels[g]);
         }
     }
 }

@@ -222,7 +222,9 @@ static void test_environment_irradiance(void **state)
         for (int c = 0; c < 3; c++) {
             normal[c] = rhw_splat((float)n[c]);
         }
-        scene_environment_diffuse(&e, normal, irradiance);
+        struct scene_environment_lanes lanes;
+        scene_environment_lanes_set(&lanes, &e);
+        scene_environment_diffuse(&lanes, normal, irradiance);
         tiny_assert_close((double)irradiance[0][2], sum / pi, 0.03);
     }
     scene_lighting_destroy(&lighting);
@@ -244,8 +246,10 @@ static void test_environment_reflection(void **state)
     for (int c = 0; c < 3; c++) {
         direction[c] = rhw_splat((float)axis[c]);
     }
-    scene_environment_reflection(e, NULL, direction, rhw_splat(0.0f), sharp);
-    scene_environment_reflection(e, NULL, direction, rhw_splat(1.0f), rough);
+    struct scene_environment_lanes lanes;
+    scene_environment_lanes_set(&lanes, e);
+    scene_environment_reflection(&lanes, NULL, direction, rhw_splat(0.0f), sharp);
+    scene_environment_reflection(&lanes, NULL, direction, rhw_splat(1.0f), rough);
     const double height = axis[1];
     const double above = 0.5 + 0.5 * height / sqrt(height * height + 0.03);
     const double sky = (double)e->ground[0] + (double)(e->sky[0] - e->ground[0]) * above;

@@ -67,7 +67,9 @@ static void irradiance(const struct scene_surroundings *s, double x, double y, d
     const rhw_float normal[3] = {rhw_splat((float)(x / length)), rhw_splat((float)(y / length)),
                                  rhw_splat((float)(z / length))};
     rhw_float light[3];
-    scene_environment_diffuse(&s->environment, normal, light);
+    struct scene_environment_lanes lanes;
+    scene_environment_lanes_set(&lanes, &s->environment);
+    scene_environment_diffuse(&lanes, normal, light);
     for (int c = 0; c < 3; c++) {
         result[c] = (double)light[c][3];
     }
