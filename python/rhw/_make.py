@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from . import _arrays, _rhw
 
 _ALPHAS = ("opaque", "mask", "blend")
+_PART = 1 << 20  #: faces: between two parts Python looks for signals, and does not within one
 
 
 def _linear(colors: Any, name: str, rows: int) -> NDArray[Any]:
@@ -135,7 +136,8 @@ def _smooth_normals(vertices: NDArray[Any], faces: NDArray[Any]) -> NDArray[Any]
     areas = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     sums = np.zeros((len(vertices), 3))
     for corner in range(3):
-        np.add.at(sums, faces[:, corner], areas)
+        for start in range(0, len(faces), _PART):
+            np.add.at(sums, faces[start:start + _PART, corner], areas[start:start + _PART])
     lengths = np.sqrt((sums * sums).sum(axis=1, keepdims=True))
     return np.where(lengths > 0, sums / np.where(lengths > 0, lengths, 1), (0, 0, 1)).astype(np.float32)
 

@@ -401,17 +401,32 @@ def texture_grad(tex: Any, uv: Any, to_values: Any, uv_da: Any = None, mip_level
 # Silhouettes -----------------------------------------------------------------------------------------------------------
 
 
+def _order_of_pairs(first: NDArray[Any], second: NDArray[Any]) -> NDArray[Any]:
+    """Places of pairs of uint32 from the least on, those of equal ones in their order.
+
+    NumPy sorts 16 bits by counting, and looks for no signal while it sorts: of the pairs at once that took seconds.
+    """
+    order = np.arange(len(first))
+    for column in (second, first):
+        for shift in range(0, int(column.max(initial=0)).bit_length(), 16):
+            digit = (column >> np.uint32(shift)).astype(np.uint16)
+            order = order[digit[order].argsort(kind="stable")]
+    return order
+
+
 def antialias_construct_topology_hash(tri: Any) -> NDArray[Any]:
     """Which vertex lies beyond each edge: (T, 3) uint32, of the edge across from each corner; 2^32 - 1 where none does.
 
     Where more than two triangles share an edge, each has the next one's vertex.
     """
     tri = indices(tri, "tri", (None, 3), 2**31)
-    ends = np.sort(np.stack([tri[:, [1, 2]], tri[:, [2, 0]], tri[:, [0, 1]]], axis=1).reshape(-1, 2).astype(np.int64), axis=1)
-    edges = ends[:, 0] << 32 | ends[:, 1]
-    order = np.argsort(edges, kind="stable")
+    after, before = tri[:, [1, 2, 0]].reshape(-1), tri[:, [2, 0, 1]].reshape(-1)
+    low, high = np.minimum(after, before), np.maximum(after, before)
+    order = _order_of_pairs(low, high)
     first = np.ones(len(order), bool)
-    first[1:] = edges[order][1:] != edges[order][:-1]
+    for ends in (low[order], high[order]):
+        first[1:] &= ends[1:] == ends[:-1]
+    first[1:] = ~first[1:]
     group = np.cumsum(first) - 1
     starts = np.flatnonzero(first)
     last = np.append(first[1:], True)[:len(order)]

@@ -113,6 +113,22 @@ def test_a_square_covers_what_it_covers():
         assert to_pos[0, 1:3, 0].sum() == pytest.approx(16 * 15, rel=1e-4)
 
 
+def test_topology_of_any_numbers():
+    """Edges of vertices whose numbers have one, some or all of 32 bits, against a table of them."""
+    random = np.random.default_rng(2)
+    for shift in (0, 2, 15, 16, 20, 29):
+        tri = random.integers(0, 3, (90, 3)) + (random.integers(0, 3, (90, 3)) << shift)
+        edges = {}
+        for corner in range(90 * 3):
+            ends = frozenset(tri[corner // 3, [(corner + 1) % 3, (corner + 2) % 3]].tolist())
+            edges.setdefault(ends, []).append(corner)
+        wanted = np.full(270, 2**32 - 1, np.uint32)
+        for corners in edges.values():
+            if len(corners) > 1:
+                wanted[corners] = tri.reshape(-1)[corners[1:] + corners[:1]]
+        assert np.array_equal(dr.antialias_construct_topology_hash(tri), wanted.reshape(-1, 3)), shift
+
+
 def test_topology():
     assert dr.antialias_construct_topology_hash([[0, 1, 2], [2, 1, 3]]).tolist() == [
         [3, 2**32 - 1, 2**32 - 1], [2**32 - 1, 2**32 - 1, 0]]
