@@ -122,9 +122,18 @@ def test_what_is_there_already(asked, tmp_path, capsys):
     before, damaged = files(out), out / "boxes/0001.png"
     damaged.write_bytes(b"no picture")
     assert say(capsys, "--verify", out) == (1, f"rhw.dataset: {damaged}: has changed\n"
-                                               f"rhw.dataset: {out}: 1 of 2 files are not those of the manifest\n")
+                                               f"rhw.dataset: {out}: 1 of 3 files are not those of the manifest\n")
     assert say(capsys, *asked) == (0, f"rhw.dataset: {damaged}: is not what was drawn, and is drawn again\n")
     assert files(out) == before
+    damaged.unlink()
+    damaged.symlink_to("0000.png")
+    assert say(capsys, *asked) == (0, f"rhw.dataset: {damaged}: is not what was drawn, and is drawn again\n")
+    assert files(out) == before and not damaged.is_symlink()
+    cameras = out / "boxes/transforms.json"
+    cameras.write_bytes(b"{}")
+    assert say(capsys, "--verify", out) == (1, f"rhw.dataset: {cameras}: has changed\n"
+                                               f"rhw.dataset: {out}: 1 of 3 files are not those of the manifest\n")
+    assert say(capsys, *asked) == (0, "") and files(out) == before
 
 
 def test_a_line_on_a_terminal(monkeypatch):

@@ -168,7 +168,7 @@ def test_verify(boxes, tmp_path):
     (out / "boxes/0002.png").unlink()
     assert run("--verify", out, status=1).splitlines() == [
         f"rhw.dataset: {out}/boxes/0001.exr: has changed", f"rhw.dataset: {out}/boxes/0002.png: is missing",
-        f"rhw.dataset: {out}: 2 of 6 files are not those of the manifest"]
+        f"rhw.dataset: {out}: 2 of 7 files are not those of the manifest"]
     shutil.copy(boxes, tmp_path / "else.obj")
     assert "is no data set" in run("--verify", tmp_path, status=1)
 

@@ -11,7 +11,7 @@ import contextlib
 import json
 import os
 from dataclasses import asdict
-from typing import Any, BinaryIO, Dict, Iterator, List, Sequence
+from typing import Any, BinaryIO, Dict, Iterable, Iterator, List, Sequence
 
 from .. import _files, _rhw
 from ..pictures import TABLE
@@ -58,7 +58,8 @@ def write(folder: str, plan: Plan, paths: Sequence[str], skipped: Dict[int, str]
     kept = [number for number in range(len(plan.models)) if number not in skipped]
     for number in kept:
         _check_model(folder, plan.models[number][0], paths[number])
-        _write_transforms(folder, plan, number)
+        name = plan.models[number][0]
+        store.put(store.transforms_path(folder, name), transforms(plan.size, _records(folder, plan, number)))
     if not kept:
         raise Failure(f"{folder}: no model can be drawn")
     store.sweep(folder, [plan.models[number][0] for number in kept])
@@ -114,11 +115,11 @@ def _write(file: BinaryIO, folder: str, plan: Plan, kept: List[int]) -> None:
     file.write(b"]\n}\n")
 
 
-def _write_transforms(folder: str, plan: Plan, number: int) -> None:
-    """The cameras as NeRF has them, for programs that look for that; this one, too (cameras.py)."""
-    width, height = plan.size
+def transforms(size: Sequence[int], records: Iterable[Dict[str, Any]]) -> bytes:
+    """The cameras of a model's views as NeRF has them, for programs that look for that; this one, too (cameras.py)."""
+    width, height = size
     lenses, frames = [], []
-    for record in _records(folder, plan, number):
+    for record in records:
         lenses.append({"camera_angle_x": _rhw.lens_angle(width, record["fx"]), "fl_x": record["fx"], "fl_y": record["fy"],
                        "cx": record["cx"] + 0.5, "cy": record["cy"] + 0.5})
         picture = next(iter(record["files"].values()))
@@ -127,6 +128,4 @@ def _write_transforms(folder: str, plan: Plan, number: int) -> None:
     alike = all(lens == lenses[0] for lens in lenses)
     if not alike:
         frames = [{**frame, **lens} for frame, lens in zip(frames, lenses)]
-    about = {**(lenses[0] if alike else {}), "w": width, "h": height, "frames": frames}
-    place = store.places(folder, plan.models[number][0])[0]
-    store.put(os.path.join(place, "transforms.json"), store.encode(about))
+    return store.encode({**(lenses[0] if alike else {}), "w": width, "h": height, "frames": frames})

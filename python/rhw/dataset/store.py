@@ -41,6 +41,10 @@ def manifest_path(folder: str) -> str:
     return os.path.join(folder, "manifest.json")
 
 
+def transforms_path(folder: str, name: str) -> str:
+    return os.path.join(folder, name, "transforms.json")
+
+
 def check_name(path: str, what: str) -> None:
     """Refuses one that JSON cannot have."""
     try:
@@ -79,7 +83,10 @@ def digest(path: str) -> str:
 
 
 def put(path: str, data: bytes) -> None:
-    """Writes a file, unless it is there with these bytes."""
+    """Writes a file, unless it is there with these bytes. A link gives way: what it leads to may be another file of the set."""
+    if os.path.islink(path):
+        with contextlib.suppress(FileNotFoundError):  # of another that draws the same view
+            os.unlink(path)
     try:
         with open(path, "rb") as file:
             if file.read() == data:

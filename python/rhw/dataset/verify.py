@@ -3,11 +3,12 @@
 
 from __future__ import annotations
 
+import hashlib
 import os
 import sys
 from typing import Any, Dict, Iterator, Optional, Tuple
 
-from . import store
+from . import manifest, store
 from .errors import Failure
 from .plan import FORMAT
 
@@ -31,7 +32,7 @@ def verify(folder: str, quiet: bool) -> int:
             if fault:
                 faults += 1
                 print(f"rhw.dataset: {os.path.join(folder, name)}: {fault}", file=sys.stderr)
-    except (AttributeError, KeyError, TypeError):
+    except (AttributeError, KeyError, StopIteration, TypeError, ValueError):
         raise Failure(f"{path}: is damaged") from None
     if faults:
         raise Failure(f"{folder}: {faults} of {files} files are not those of the manifest")
@@ -41,9 +42,12 @@ def verify(folder: str, quiet: bool) -> int:
 
 
 def _hashes(about: Dict[str, Any]) -> Iterator[Tuple[str, str]]:
+    """The files of the set; what follows from the manifest has its hash from there."""
     for model in about["models"]:
         for view in model["views"]:
             yield from view["sha256"].items()
+        cameras = manifest.transforms(about["size"], model["views"])
+        yield store.transforms_path("", model["name"]), hashlib.sha256(cameras).hexdigest()
 
 
 def _fault(folder: str, name: str, sha256: str) -> Optional[str]:
