@@ -2,6 +2,7 @@
 // Files that were dropped or chosen, folders too, as a model and the files beside it.
 
 const MODELS = [/\.(glb|gltf)$/i, /\.(obj|ply|off|stl|3mf)$/i]; // of several in a folder, the better described first
+const NAMED = /\.(bin|mtl|png|jpe?g|webp|ktx2|gif|bmp|tga|tiff?|dds|hdr|exr|avif)$/i; // what a model may name
 
 const depthOf = (path) => path.split('/').length;
 const folderOf = (path) => path.slice(0, path.lastIndexOf('/') + 1);
@@ -47,7 +48,8 @@ async function read([path, file]) {
 }
 
 /**
- * {bytes, name, files}: of several files one is the model, the others are those that it may name, by their paths as seen from it.
+ * {bytes, name, files}: of several files one is the model, the others are those that it may name: all in its folder, and of those
+ * beside its folder, as textures often are, what models name. Paths count from there.
  * undefined where there is none. What cannot be read is an error whose message is its path.
  */
 export async function modelOf(list) {
@@ -57,8 +59,9 @@ export async function modelOf(list) {
     return undefined;
   }
   const folder = folderOf(main[0]);
-  const beside = list.filter((file) => file !== main && file[0].startsWith(folder));
-  const [[name, bytes], ...others] = await Promise.all([main, ...beside].map(read));
-  const files = Object.fromEntries(others.map(([path, data]) => [path.slice(folder.length), data]));
-  return { bytes, name: name.slice(folder.length), files };
+  const around = folderOf(folder.slice(0, -1));
+  const mayName = ([path]) => path.startsWith(folder) || (path.startsWith(around) && NAMED.test(path));
+  const others = list.filter((file) => file !== main && mayName(file));
+  const [[name, bytes], ...files] = (await Promise.all([main, ...others].map(read))).map(([path, data]) => [path.slice(around.length), data]);
+  return { bytes, name, files: Object.fromEntries(files) };
 }

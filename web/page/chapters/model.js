@@ -116,13 +116,14 @@ class ModelView {
 
   // Reading ------------------------------------------------------------------------------------------
 
-  /** Takes the place of what was shown, if it can be read. `files`: those that it names. */
-  async open(bytes, name, files = {}) {
+  /** Takes the place of what was shown, if it can be read. `files`: those that it names, by paths that count from where `path` does. */
+  async open(bytes, path, files = {}) {
     const turn = ++this.#opened;
+    const name = path.split('/').at(-1);
     this.#tell({ en: `Reading ${name} …`, zh: `正在读取 ${name}……` });
     this.figure.dataset.drawn = '';
     try {
-      const { info, warnings } = await this.#library.ask('open', { model: bytes, name, files });
+      const { info, warnings } = await this.#library.ask('open', { model: bytes, name: path, files });
       const { eye, target, up, fovy = 30 } = await this.#library.ask('view', { options: { size: this.#size(1) } });
       if (turn !== this.#opened) {
         return; // another was chosen meanwhile
