@@ -641,7 +641,7 @@ class Page(PageCase):
             };
             requestAnimationFrame(step);""")
         print(f"first picture after {first:.2f} s (wanted 1); {frames:.0f} frames a second at {size} with a pixel explained (wanted 60)")
-        self.assertLess(os.path.getsize(os.path.join(sys.argv[1], "stage.wasm")), 1.2e6)
+        self.assertLess(os.path.getsize(os.path.join(sys.argv[1], "stage.wasm")), 1.4e6)
         self.assertLess(first, FIRST_PICTURE)
         self.assertGreater(frames, FRAMES)
 
