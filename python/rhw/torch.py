@@ -13,13 +13,13 @@ for a second derivative is an error.
 # mypy: disable-error-code="override, no-any-return, misc, no-untyped-call"
 from __future__ import annotations
 
+import functools
 from typing import Any, Callable, List, Optional, Sequence, Tuple, Union
 
 import numpy as np
 from numpy.typing import NDArray
 import torch
 from torch.autograd import Function
-from torch.autograd.function import once_differentiable
 
 from . import _arrays, _rhw, diff
 
@@ -97,6 +97,36 @@ def _plain(value: Any) -> Any:
     return _array(value) if isinstance(value, torch.Tensor) else value
 
 
+# Second derivatives ----------------------------------------------------------------------------------------------------
+
+
+class _Gradient(Function):
+    """A gradient that has none of its own. In the graph it leads to what it depends on."""
+
+    @staticmethod
+    def forward(ctx: Any, gradient: torch.Tensor, *causes: torch.Tensor) -> torch.Tensor:
+        return gradient.view_as(gradient)
+
+    @staticmethod
+    def backward(ctx: Any, *gradients: torch.Tensor) -> Any:
+        raise RuntimeError("rhw.torch: tried to differentiate twice; its gradients have no gradients")
+
+
+def _differentiated_once(backward: Callable[..., Any]) -> Callable[..., Any]:
+    """Refuses the second derivative of a backward function. torch's once_differentiable says nothing of one that is lost where
+    the gradient on the way back is a constant, as that of a sum."""
+    @functools.wraps(backward)
+    def refusing(ctx: Any, *gradients: Any) -> Any:
+        with torch.no_grad():
+            results = backward(ctx, *gradients)
+        if not torch.is_grad_enabled():
+            return results
+        causes = [tensor for tensor in (*ctx.saved_tensors, *gradients) if tensor is not None and tensor.requires_grad]
+        return tuple(None if result is None else _Gradient.apply(result, *causes) for result in results)
+
+    return refusing
+
+
 # Rasterization ---------------------------------------------------------------------------------------------------------
 
 
@@ -110,7 +140,7 @@ class _Rasterize(Function):
         return rast, rast_db
 
     @staticmethod
-    @once_differentiable
+    @_differentiated_once
     def backward(ctx: Any, to_rast: torch.Tensor, to_rast_db: torch.Tensor) -> Tuple[Any, ...]:
         pos, tri, rast = ctx.saved_tensors
         gradient = diff.rasterize_grad(_array(pos), _array(tri), _array(rast), _array(to_rast),
@@ -174,7 +204,7 @@ class _Interpolate(Function):
         return _tensor(values, attr), _tensor(slopes, attr)
 
     @staticmethod
-    @once_differentiable
+    @_differentiated_once
     def backward(ctx: Any, to_values: torch.Tensor, to_slopes: torch.Tensor) -> Tuple[Any, ...]:
         attr, rast, tri, rast_db = ctx.saved_tensors
         to_attr, to_rast, to_rast_db = diff.interpolate_grad(_array(attr), _array(rast), _array(tri), _array(to_values),
@@ -203,7 +233,7 @@ class _Texture(Function):
         return _tensor(diff.texture(_array(tex), _array(uv), _array(uv_da), _array(bias), levels, *options), tex)
 
     @staticmethod
-    @once_differentiable
+    @_differentiated_once
     def backward(ctx: Any, to_values: torch.Tensor) -> Tuple[Any, ...]:
         tex, uv, uv_da, bias, *mip = ctx.saved_tensors
         levels = [_array(level) for level in mip] if mip else ctx.made
@@ -252,7 +282,7 @@ class _Antialias(Function):
         return _tensor(diff.antialias(_array(color), _array(rast), _array(pos), _array(tri), topology_hash), color)
 
     @staticmethod
-    @once_differentiable
+    @_differentiated_once
     def backward(ctx: Any, to_result: torch.Tensor) -> Tuple[Any, ...]:
         color, rast, pos, tri = map(_array, ctx.saved_tensors)
         to_color, to_pos = diff.antialias_grad(color, rast, pos, tri, _array(to_result), ctx.topology_hash)
