@@ -20,6 +20,7 @@
 #include "png.h"
 #include "radiance.h"
 #include "reduce.h"
+#include "sgi.h"
 #include "signature.h"
 #include "tiff.h"
 
@@ -334,6 +335,7 @@ static const struct reader *reader_of(const unsigned char *bytes, size_t size, c
                               SCENE_GIF ? scene_image_decode_gif : NULL, SCENE_GIF ? scene_gif_size : NULL},
         [SCENE_FORMAT_AVIF] = {"an AVIF image, which this build does not read",
                                SCENE_AVIF ? scene_image_decode_avif : NULL, NULL},
+        [SCENE_FORMAT_SGI] = {NULL, scene_image_decode_sgi, scene_sgi_size},
         [SCENE_FORMAT_UNREAD] = {NULL, NULL, NULL},
     };
     const struct reader *const reader = &readers[scene_image_format(bytes, size, refusal)];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Decoding of image files that models use as textures: PNG, JPEG, WebP, KTX2, DDS, TIFF, OpenEXR, GIF, AVIF, TGA, BMP,
-// PSD, PNM and Radiance HDR.
+// Decoding of image files that models use as textures: PNG, JPEG, WebP, KTX2, DDS, TIFF, OpenEXR, GIF, AVIF, SGI, TGA,
+// BMP, PSD, PNM and Radiance HDR.
 #ifndef SCENE_IMAGE_READ_H
 #define SCENE_IMAGE_READ_H
 

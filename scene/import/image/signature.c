@@ -35,7 +35,7 @@ static const struct signature {
     {SIGNATURE(0, "VTF\0"), SCENE_FORMAT_UNREAD, "a VTF texture, which is not read"},
     {SIGNATURE(0, "PVR\x03"), SCENE_FORMAT_UNREAD, "a PVR texture, which is not read"},
     {SIGNATURE(0, "<svg"), SCENE_FORMAT_UNREAD, "an SVG drawing, which is not read"},
-    {SIGNATURE(0, "\x01\xda"), SCENE_FORMAT_UNREAD, "an SGI image, which is not read"},
+    {SIGNATURE(0, "\x01\xda"), SCENE_FORMAT_SGI, NULL},
     {SIGNATURE(0, "\x53\x80\xf6\x34"), SCENE_FORMAT_UNREAD, "a PIC image, which is not read"},
 };
 

@@ -568,6 +568,69 @@ static void test_avif(void **state)
     image_file_expect_refused(&file, size_problem);
 }
 
+// SGI ----------------------------------------------------------------------------------------------------
+
+// The header of an image of 3 × 2 texels, what follows it behind.
+static struct image_file sgi_of(bool is_packed, uint8_t depth, uint8_t channels, const void *rest,
+                                size_t size)
+{
+    struct image_file file = {.size = 512 + size};
+    const uint8_t head[12] = {1, 0xda, is_packed, depth, 0, channels > 1 ? 3 : 2, 0, 3, 0, 2, 0, channels};
+    memset(file.bytes, 0, 512);
+    memcpy(file.bytes, head, sizeof head);
+    memcpy(file.bytes + 512, rest, size);
+    return file;
+}
+
+// Rows of a channel stand from the bottom up, packed or not, and channels one behind the other.
+static void test_sgi(void **state)
+{
+    (void)state;
+    static const uint8_t grey[] = {1, 2, 3, 4, 5, 6};
+    static const uint8_t grey_texels[] = {4, 4, 4, 255, 5, 5, 5, 255, 6, 6, 6, 255,
+                                          1, 1, 1, 255, 2, 2, 2, 255, 3, 3, 3, 255};
+    struct image_file file = sgi_of(false, 1, 1, grey, sizeof grey);
+    check_file(&file, SCENE_IMAGE_RGBA8, 3, grey_texels, sizeof grey_texels);
+    file.size--;
+    image_file_expect_refused(&file, "damaged SGI image");
+    static const uint8_t deep[] = {1,    2, 3,    4, 5,    6, 7,    8, 9,    10, 11,   12,
+                                   0x10, 0, 0x20, 0, 0x30, 0, 0x40, 0, 0x50, 0,  0x60, 0};
+    static const uint16_t deep_texels[] = {0x708, 0x708, 0x708, 0x4000, 0x90a, 0x90a, 0x90a, 0x5000,
+                                           0xb0c, 0xb0c, 0xb0c, 0x6000, 0x102, 0x102, 0x102, 0x1000,
+                                           0x304, 0x304, 0x304, 0x2000, 0x506, 0x506, 0x506, 0x3000};
+    file = sgi_of(false, 2, 2, deep, sizeof deep);
+    check_file(&file, SCENE_IMAGE_RGBA16, 3, deep_texels, sizeof deep_texels);
+    // Three channels of two rows, whose table says where each starts and how long it is. All lower rows are one.
+    static const uint8_t packed[] = {0, 0, 2, 48, 0, 0, 2, 51, 0, 0, 2, 48,   0, 0, 2, 56, 0,    0, 2, 48,
+                                     0, 0, 2, 56, 0, 0, 0, 3,  0, 0, 0, 5,    0, 0, 0, 3,  0,    0, 0, 4,
+                                     0, 0, 0, 3,  0, 0, 0, 4,  3, 9, 0, 0x83, 7, 8, 9, 0,  0x81, 1, 2, 5};
+    static const uint8_t packed_texels[] = {7, 1, 1, 255, 8, 5, 5, 255, 9, 5, 5, 255,
+                                            9, 9, 9, 255, 9, 9, 9, 255, 9, 9, 9, 255};
+    file = sgi_of(true, 1, 3, packed, sizeof packed);
+    check_file(&file, SCENE_IMAGE_RGBA8, 3, packed_texels, sizeof packed_texels);
+    static const struct {
+        size_t place;
+        uint8_t byte;
+        const char *problem;
+    } broken[] = {
+        {560, 2, "damaged SGI image"}, // a row that is short
+        {560, 4, "damaged SGI image"}, // a row that is long
+        {563, 0x84, "damaged SGI image"},
+        {516 + 2, 9, "damaged SGI image"},      // a row behind the end
+        {512 + 24 + 1, 1, "damaged SGI image"}, // a row that ends behind it
+        {2, 2, "damaged SGI image"},
+        {3, 3, "damaged SGI image"},
+        {11, 0, "an SGI image that has not 1 to 4 channels"},
+        {11, 5, "an SGI image that has not 1 to 4 channels"},
+        {107, 2, "an SGI image with a map of colours, which is not read"},
+    };
+    for (size_t i = 0; i < sizeof broken / sizeof broken[0]; i++) {
+        struct image_file other = file;
+        other.bytes[broken[i].place] = broken[i].byte;
+        image_file_expect_refused(&other, broken[i].problem);
+    }
+}
+
 // Sizes --------------------------------------------------------------------------------------------------
 
 // The headers of files that begin as images do, and where their width stands.
@@ -588,6 +651,7 @@ static const struct {
     {"GIF", BYTES("GIF89a\1\0\1\0\0\0\0"), 6, 2, false},
     {"BMP", BYTES("BM\0\0\0\0\0\0\0\0\x1a\0\0\0\x0c\0\0\0\1\0\1\0\1\0\x18\0\0\0\0\0"), 18, 2, false},
     {"TGA", BYTES("\0\0\2\0\0\0\0\0\0\0\0\0\1\0\1\0\x18\0"), 12, 2, false},
+    {"SGI", BYTES("\1\xda\0\1\0\2\0\1\0\1\0\1"), 6, 2, true},
     {"PSD", BYTES("8BPS\0\1\0\0\0\0\0\0\0\3\0\0\0\1\0\0\0\1\0\x08\0\3"), 18, 4, true},
 #undef BYTES
 };
@@ -716,6 +780,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_tiff_wide),
     cmocka_unit_test(test_exr),
     cmocka_unit_test(test_gif),
+    cmocka_unit_test(test_sgi),
     cmocka_unit_test(test_avif),
     cmocka_unit_test(test_sizes),
     cmocka_unit_test(test_bmp_from_top),
