@@ -247,11 +247,24 @@ static void read_texture(const struct reader *reader, enum aiTextureType type,
     read_transform(reader, type, &texture->slot);
 }
 
+// Return true for formats in which the alpha of a texture is that of the surface, as X3D defines it, and as all
+// programs draw AC3D.
+static bool has_images_with_alpha(const struct scene_import *import)
+{
+    static const char *const endings[] = {"ac", "acc", "x3d"};
+    bool has = false;
+    for (size_t i = 0; i < sizeof endings / sizeof endings[0] && !has; i++) {
+        has = strcasecmp(import->ending, endings[i]) == 0;
+    }
+    return has;
+}
+
 static void read_textures(const struct reader *reader, struct scene_phong *phong)
 {
     read_texture(reader, aiTextureType_BASE_COLOR, &phong->color);
     read_texture(reader, aiTextureType_DIFFUSE, &phong->color);
     read_texture(reader, aiTextureType_OPACITY, &phong->opacity_map);
+    phong->color.source.is_opacity = phong->color.name != NULL && has_images_with_alpha(reader->import);
     // Collada calls relief what may be heights or normals, which the image itself tells.
     const bool is_relief = strcmp(reader->import->model.format, "Collada") == 0;
     read_texture(reader, aiTextureType_NORMALS, is_relief ? &phong->height : &phong->normal);

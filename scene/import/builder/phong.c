@@ -79,7 +79,8 @@ static bool is_image(const struct scene_import *import, uint32_t number, const c
     const struct scene_import_source *other = &import->sources[number];
     return same_text(other->file, source->file) && other->bytes == source->bytes &&
            other->height == source->height && other->opacity_image == source->opacity_image &&
-           other->white == source->white && strcmp(import->model.images[number].name, name) == 0;
+           other->is_opacity == source->is_opacity && other->white == source->white &&
+           strcmp(import->model.images[number].name, name) == 0;
 }
 
 // Return the image with this source, new or shared with another slot.
@@ -118,6 +119,9 @@ static void set_opacity_map(struct scene_import *import, const struct scene_phon
                             struct scene_material *material)
 {
     const struct scene_phong_texture *map = &phong->opacity_map;
+    if (map->name == NULL && phong->color.source.is_opacity) {
+        material->alpha_mode = SCENE_ALPHA_BLEND; // unless the decoded image has no alpha
+    }
     if (map->name == NULL) {
         return;
     }

@@ -201,13 +201,16 @@ static bool is_cut_out(const struct scene_image *image)
     return image->type == SCENE_IMAGE_RGBA8 && between <= count / 10;
 }
 
-// Choose the mode of materials with an opacity map. A cut-out needs no sorting by distance, which blending does.
+// Choose the mode of materials whose texture has an alpha that counts. A cut-out needs no sorting by distance, which
+// blending does.
 static void choose_alpha_modes(struct scene_import *import)
 {
     for (uint32_t i = 0; i < import->model.material_count; i++) {
         struct scene_material *material = &import->model.materials[i];
         const int32_t image = material->slots[SCENE_SLOT_BASE_COLOR].image;
-        if (image < 0 || import->sources[image].opacity_image < 0 || material->base_color[3] < 1) {
+        const struct scene_import_source *const source = image < 0 ? NULL : &import->sources[image];
+        if (source == NULL || (source->opacity_image < 0 && !source->is_opacity) ||
+            material->base_color[3] < 1) {
             continue;
         }
         if (!import->model.images[image].has_alpha) {

@@ -41,6 +41,39 @@ static void test_addresses(void **state)
     }
 }
 
+// The alpha of a texture is that of its surface, in AC3D too.
+static void test_alpha_of_textures(void **state)
+{
+    (void)state;
+    static const struct {
+        unsigned char alpha[2];
+        enum scene_alpha_mode mode;
+    } cases[] = {
+        {{255, 255}, SCENE_ALPHA_OPAQUE}, {{0, 255}, SCENE_ALPHA_MASK}, {{128, 100}, SCENE_ALPHA_BLEND}};
+    write_text("a.x3d", "<X3D><Scene>" SHAPE("<ImageTexture url='\"a.tga\"'/>") "</Scene></X3D>");
+    write_text(
+        "a.ac",
+        "AC3Db\nMATERIAL \"m\" rgb 1 1 1 amb 0 0 0 emis 0 0 0 spec 0 0 0 shi 0 trans 0\n"
+        "OBJECT world\nkids 1\nOBJECT poly\nname \"a\"\ntexture \"a.tga\"\nnumvert 3\n0 0 0\n1 0 0\n0 1 0\n"
+        "numsurf 1\nSURF 0x20\nmat 0\nrefs 3\n0 0 0\n1 1 0\n2 0 1\nkids 0\n");
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        const unsigned char *const alpha = cases[i].alpha;
+        const unsigned char tga[] = {0, 0, 2, 0,  0, 0,  0,  0,  0,        0,  0,   0,  2,
+                                     0, 1, 0, 32, 8, 90, 90, 90, alpha[0], 10, 200, 30, alpha[1]};
+        write_bytes("a.tga", tga, sizeof tga);
+        for (int k = 0; k < 2; k++) {
+            struct scene_model *const model = load(k == 0 ? "a.x3d" : "a.ac");
+            assert_int_equal(model->image_count, 1);
+            assert_int_equal(model->warning_count + model->unsupported_count, 0);
+            if (model->materials[model->meshes[0].material].alpha_mode != cases[i].mode) {
+                fail_msg("case %zu, %d: %d", i, k,
+                         (int)model->materials[model->meshes[0].material].alpha_mode);
+            }
+            scene_model_free(model);
+        }
+    }
+}
+
 // Groups of all kinds, empty ones among them, and nodes that are not known: the rest of the file is drawn.
 static void test_nodes(void **state)
 {
@@ -500,6 +533,7 @@ static void test_lines(void **state)
 
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_addresses),
+    cmocka_unit_test(test_alpha_of_textures),
     cmocka_unit_test(test_nodes),
     cmocka_unit_test(test_faces_within_faces),
     cmocka_unit_test(test_groups_within_groups),
