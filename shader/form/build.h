@@ -188,9 +188,12 @@ void shader_find_usage(struct shader_builder *builder);
 
 // build_flow.c. Translate a function that has its parameters. Return the homes of what it returns, or NULL.
 uint32_t *shader_build_function(struct shader_builder *builder, const struct shader_function *function);
-// build_arithmetic.c, build_composite.c, build_glsl.c, build_image.c, build_memory.c, build_narrow.c, build_subgroup.c.
-// Return false where the file does not have the instruction.
+// build_arithmetic.c. Return component i of an operand; one scalar stands for all where the others are vectors.
+uint32_t shader_component(struct shader_builder *builder, uint32_t operand, uint32_t i);
+// build_arithmetic.c, build_matrix.c, build_composite.c, build_glsl.c, build_image.c, build_memory.c, build_narrow.c,
+// build_subgroup.c. Return false where the file does not have the instruction.
 bool shader_build_arithmetic(struct shader_builder *builder, uint32_t opcode);
+bool shader_build_matrix(struct shader_builder *builder, uint32_t opcode);
 bool shader_build_composite(struct shader_builder *builder, uint32_t opcode);
 void shader_build_glsl(struct shader_builder *builder);
 bool shader_build_memory(struct shader_builder *builder, uint32_t opcode);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Arithmetic, comparisons, conversions and matrices, component by component. Sums of products are added from the first
-// to the last.
+// Arithmetic, comparisons and conversions, component by component.
 #include "build.h"
 
 #define SIGN_BIT 0x80000000u
@@ -191,8 +190,7 @@ static const struct plain_operation *find_plain(uint32_t opcode)
     return NULL;
 }
 
-// Scalar i of an operand; one scalar stands for all where the others are vectors.
-static uint32_t component(struct shader_builder *builder, uint32_t operand, uint32_t i)
+uint32_t shader_component(struct shader_builder *builder, uint32_t operand, uint32_t i)
 {
     const uint32_t id = shader_operand(builder, operand);
     const uint32_t *const scalars = shader_scalars(builder, id);
@@ -231,13 +229,13 @@ static bool build_components(struct shader_builder *builder, uint32_t opcode)
     for (uint32_t i = 0; i < type->scalars; i++) {
         uint32_t v[4] = {0, 0, 0, 0};
         if (plain) {
-            v[0] = component(builder, 3, i);
-            v[1] = operands > 1 ? component(builder, 4, i) : 0;
+            v[0] = shader_component(builder, 3, i);
+            v[1] = operands > 1 ? shader_component(builder, 4, i) : 0;
             result[i] = build_plain(builder, plain, v[0], v[1]);
             continue;
         }
         for (uint32_t o = 0; o < operands; o++) {
-            v[o] = component(builder, 3 + o, i);
+            v[o] = shader_component(builder, 3 + o, i);
         }
         if (!build_composed(builder, opcode, v, &result[i])) {
             return false;
@@ -247,154 +245,14 @@ static bool build_components(struct shader_builder *builder, uint32_t opcode)
     return true;
 }
 
-// Vectors and matrices -------------------------------------------------------------------------------
-
-static uint32_t add_product(struct shader_builder *builder, uint32_t sum, uint32_t a, uint32_t b)
-{
-    const uint32_t product = emit2(builder, SHADER_FMUL, a, b);
-    return sum == SHADER_NO_VALUE ? product : emit2(builder, SHADER_FADD, sum, product);
-}
-
-static uint32_t columns_of(const struct shader_type *type)
-{
-    return type->kind == SHADER_MATRIX ? type->count : 1;
-}
-
-static uint32_t rows_of(const struct shader_type *type)
-{
-    return type->kind == SHADER_MATRIX ? type->element->count : type->kind == SHADER_VECTOR ? type->count : 1;
-}
-
-static void check_shape(const struct shader_builder *builder, bool fits)
-{
-    if (!fits) {
-        shader_build_refuse(builder, "its operands have other numbers of rows and columns");
-    }
-}
-
-static void check_matrix(const struct shader_builder *builder, const struct shader_type *type)
-{
-    if (type->kind != SHADER_MATRIX) {
-        shader_build_refuse(builder, "id %u is no matrix", (unsigned)type->id);
-    }
-}
-
-static bool is_float_vector(const struct shader_type *type)
-{
-    return type->kind == SHADER_VECTOR && type->element->kind == SHADER_FLOAT;
-}
-
-// Matrix a times matrix b; a vector on the right is one column.
-static void multiply(struct shader_builder *builder, uint32_t a_id, uint32_t b_id)
-{
-    const struct shader_type *const a_type = shader_type_of_value(builder, a_id);
-    const struct shader_type *const b_type = shader_type_of_value(builder, b_id);
-    const struct shader_type *const type = shader_result_type(builder);
-    const uint32_t *const a = shader_scalars(builder, a_id), *const b = shader_scalars(builder, b_id);
-    const uint32_t rows = rows_of(a_type), inner = columns_of(a_type), columns = columns_of(b_type);
-    check_matrix(builder, a_type);
-    check_shape(builder, is_float_vector(b_type)
-                             ? is_float_vector(type)
-                             : b_type->kind == SHADER_MATRIX && type->kind == SHADER_MATRIX);
-    check_shape(builder, rows_of(b_type) == inner && rows_of(type) == rows && columns_of(type) == columns);
-    uint32_t *const result = shader_new_scalars(builder, type);
-    for (uint32_t c = 0; c < columns; c++) {
-        for (uint32_t r = 0; r < rows; r++) {
-            uint32_t sum = SHADER_NO_VALUE;
-            for (uint32_t k = 0; k < inner; k++) {
-                sum = add_product(builder, sum, a[k * rows + r], b[c * inner + k]);
-            }
-            result[c * rows + r] = sum;
-        }
-    }
-    shader_define(builder, result);
-}
-
-// A row vector times a matrix.
-static void multiply_row(struct shader_builder *builder, uint32_t v_id, uint32_t m_id)
-{
-    const struct shader_type *const m_type = shader_type_of_value(builder, m_id);
-    const struct shader_type *const type = shader_result_type(builder);
-    const uint32_t *const v = shader_scalars(builder, v_id), *const m = shader_scalars(builder, m_id);
-    const uint32_t rows = rows_of(m_type);
-    check_matrix(builder, m_type);
-    check_shape(builder, is_float_vector(type) && is_float_vector(shader_type_of_value(builder, v_id)));
-    check_shape(builder,
-                rows_of(shader_type_of_value(builder, v_id)) == rows && rows_of(type) == columns_of(m_type));
-    uint32_t *const result = shader_new_scalars(builder, type);
-    for (uint32_t c = 0; c < columns_of(m_type); c++) {
-        uint32_t sum = SHADER_NO_VALUE;
-        for (uint32_t r = 0; r < rows; r++) {
-            sum = add_product(builder, sum, v[r], m[c * rows + r]);
-        }
-        result[c] = sum;
-    }
-    shader_define(builder, result);
-}
-
-static void build_scaled(struct shader_builder *builder, bool is_matrix)
-{
-    const struct shader_type *const type = shader_result_type(builder);
-    if (is_matrix) {
-        check_matrix(builder, type);
-        shader_check_signature(builder, "ttF", 3);
-    }
-    const uint32_t scale = component(builder, 4, 0);
-    uint32_t *const result = shader_new_scalars(builder, type);
-    for (uint32_t i = 0; i < type->scalars; i++) {
-        result[i] = emit2(builder, SHADER_FMUL, component(builder, 3, i), scale);
-    }
-    shader_define(builder, result);
-}
-
-static void build_outer_product(struct shader_builder *builder)
-{
-    const struct shader_type *const type = shader_result_type(builder);
-    const uint32_t rows = rows_of(type);
-    const struct shader_type *const column = shader_type_of_value(builder, shader_operand(builder, 3));
-    const struct shader_type *const row = shader_type_of_value(builder, shader_operand(builder, 4));
-    check_matrix(builder, type);
-    check_shape(builder, is_float_vector(column) && is_float_vector(row) && column->count == rows &&
-                             row->count == columns_of(type));
-    uint32_t *const result = shader_new_scalars(builder, type);
-    for (uint32_t i = 0; i < type->scalars; i++) {
-        result[i] =
-            emit2(builder, SHADER_FMUL, component(builder, 3, i % rows), component(builder, 4, i / rows));
-    }
-    shader_define(builder, result);
-}
-
-static void build_transpose(struct shader_builder *builder)
-{
-    const struct shader_type *const type = shader_result_type(builder);
-    const uint32_t rows = rows_of(type), columns = columns_of(type);
-    const struct shader_type *const from = shader_type_of_value(builder, shader_operand(builder, 3));
-    check_matrix(builder, type);
-    check_matrix(builder, from);
-    check_shape(builder, rows_of(from) == columns && columns_of(from) == rows);
-    uint32_t *const result = shader_new_scalars(builder, type);
-    for (uint32_t i = 0; i < type->scalars; i++) {
-        result[i] = component(builder, 3, i % rows * columns + i / rows);
-    }
-    shader_define(builder, result);
-}
-
-static void build_dot(struct shader_builder *builder)
-{
-    const uint32_t count = shader_type_of_value(builder, shader_operand(builder, 3))->scalars;
-    uint32_t sum = SHADER_NO_VALUE;
-    for (uint32_t i = 0; i < count; i++) {
-        sum = add_product(builder, sum, component(builder, 3, i), component(builder, 4, i));
-    }
-    shader_define_scalar(builder, sum);
-}
+// Others ---------------------------------------------------------------------------------------------
 
 static void build_any_all(struct shader_builder *builder, enum shader_op op)
 {
     const uint32_t count = shader_type_of_value(builder, shader_operand(builder, 3))->scalars;
-    uint32_t result = component(builder, 3, 0);
+    uint32_t result = shader_component(builder, 3, 0);
     for (uint32_t i = 1; i < count; i++) {
-        result = emit2(builder, op, result, component(builder, 3, i));
+        result = emit2(builder, op, result, shader_component(builder, 3, i));
     }
     shader_define_scalar(builder, result);
 }
@@ -410,7 +268,7 @@ static void build_extended(struct shader_builder *builder, uint32_t opcode)
     shader_check_types(builder, type->members[0].type, "iii", 3);
     uint32_t *const result = shader_new_scalars(builder, type);
     for (uint32_t i = 0; i < count; i++) {
-        const uint32_t a = component(builder, 3, i), b = component(builder, 4, i);
+        const uint32_t a = shader_component(builder, 3, i), b = shader_component(builder, 4, i);
         const uint32_t one = shader_number(builder, 1);
         uint32_t low, high;
         if (opcode == SPIRV_OP_IAddCarry) {
@@ -434,18 +292,6 @@ bool shader_build_arithmetic(struct shader_builder *builder, uint32_t opcode)
 {
     shader_check_operands(builder, opcode);
     switch (opcode) {
-    case SPIRV_OP_VectorTimesScalar:
-    case SPIRV_OP_MatrixTimesScalar: build_scaled(builder, opcode == SPIRV_OP_MatrixTimesScalar); return true;
-    case SPIRV_OP_MatrixTimesVector:
-    case SPIRV_OP_MatrixTimesMatrix:
-        multiply(builder, shader_operand(builder, 3), shader_operand(builder, 4));
-        return true;
-    case SPIRV_OP_VectorTimesMatrix:
-        multiply_row(builder, shader_operand(builder, 3), shader_operand(builder, 4));
-        return true;
-    case SPIRV_OP_OuterProduct: build_outer_product(builder); return true;
-    case SPIRV_OP_Transpose: build_transpose(builder); return true;
-    case SPIRV_OP_Dot: build_dot(builder); return true;
     case SPIRV_OP_Any: build_any_all(builder, SHADER_OR); return true;
     case SPIRV_OP_All: build_any_all(builder, SHADER_AND); return true;
     case SPIRV_OP_IAddCarry:
@@ -453,6 +299,9 @@ bool shader_build_arithmetic(struct shader_builder *builder, uint32_t opcode)
     case SPIRV_OP_UMulExtended:
     case SPIRV_OP_SMulExtended: build_extended(builder, opcode); return true;
     default: break;
+    }
+    if (shader_build_matrix(builder, opcode)) {
+        return true;
     }
     const bool is_component =
         find_plain(opcode) != NULL || (opcode >= SPIRV_OP_QuantizeToF16 && opcode <= SPIRV_OP_BitCount);
