@@ -261,6 +261,12 @@ async function checkErrors(checks, rhw, read, data) {
     await checks.fails('no model', rhw.load(new Uint8Array(0), { name: 'a.glb' }), /^rhw: a\.glb: /);
     await checks.fails('a model that is no bytes', rhw.load(7), /^rhw: model: must be a Uint8Array/);
     await checks.fails('a cut model', rhw.load(box.subarray(0, 1000), { name: 'cut.glb' }), /^rhw: cut\.glb: .+/);
+    const named = new TextEncoder().encode('mtllib ../m/a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\n');
+    const mtl = new TextEncoder().encode('newmtl a\n');
+    checks.same('a file beside the folder', (await rhw.render(named, { size: 4, name: 'a.obj', files: { '../m/a.mtl': mtl } })).warnings, []);
+    for (const [option, given] of [['name', { name: '' }], ['files', { files: { '': mtl } }], ['files', { files: { x: mtl, 'x/y': mtl } }]]) {
+        await checks.fails(`no path in ${option}`, rhw.render(named, { size: 4, ...given }), new RegExp(`^rhw: ${option}: '.*' is no path of a file`));
+    }
     await checks.fails('a format that is not read', rhw.load(box.subarray(20), { name: 'a.fbx' }),
                        /^rhw: a\.fbx: is FBX, which is not read here; glTF, OBJ, PLY, STL and 3MF are$/);
     await checks.fails('an option that is none', rhw.render(box, { sise: 4 }),

@@ -12,14 +12,8 @@ export { RhwError };
 
 const folder = '/model';
 
-function writeFile(fs, name, bytes) {
-    const path = `${folder}/${name}`;
-    fs.mkdirTree(path.slice(0, path.lastIndexOf('/')));
-    fs.writeFile(path, bytesOf(bytes, name));
-}
-
-// A path below the model's folder, as seen from there; undefined if it lies elsewhere.
-function belowFolder(path) {
+// A path as seen from the model's folder as a whole one, without links to a folder itself and the one above.
+function wholePath(path) {
     const parts = [];
     for (const part of (path.startsWith('/') ? path : `${folder}/${path}`).split('/')) {
         if (part === '..') {
@@ -28,7 +22,23 @@ function belowFolder(path) {
             parts.push(part);
         }
     }
-    const whole = `/${parts.join('/')}`;
+    return `/${parts.join('/')}`;
+}
+
+function writeFile(fs, name, bytes, option) {
+    const path = wholePath(`${folder}/${name}`);
+    const content = bytesOf(bytes, name);
+    try {
+        fs.mkdirTree(path.slice(0, path.lastIndexOf('/')));
+        fs.writeFile(path, content);
+    } catch {
+        throw new RhwError(`rhw: ${option}: '${name}' is no path of a file, or is that of a folder of another`);
+    }
+}
+
+// A path below the model's folder, as seen from there; undefined if it lies elsewhere.
+function belowFolder(path) {
+    const whole = wholePath(path);
     return whole.startsWith(`${folder}/`) ? whole.slice(folder.length + 1) : undefined;
 }
 
@@ -56,10 +66,11 @@ function listMissing(fs) {
 async function readOnce(model, name, files, words) {
     const reader = await Instance.create();
     const { FS: fs } = reader.module;
+    fs.mkdirTree(folder);
     for (const [path, bytes] of Object.entries(files)) {
-        writeFile(fs, path, bytes);
+        writeFile(fs, path, bytes, 'files');
     }
-    writeFile(fs, name, model);
+    writeFile(fs, name, model, 'name');
     fs.chdir(folder);
     const missing = listMissing(fs);
     const status = reader.withWords(words, (...place) => reader.call(name, '_web_read', ...place));
