@@ -10,6 +10,7 @@
 #include "import/builder/find_file.h"
 #include "x3d_faces.h"
 #include "x3d_groups.h"
+#include "x3d_materials.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -179,6 +180,7 @@ static char *write_tags(struct scene_import *import, char *source, size_t *size)
             scene_edits_add_string(import, &edits, (size_t)(tag + 4 - text), 0, SCENE_X3D_FILLER);
         } else if (!write_metadata(import, &edits, text, tag, close) &&
                    !scene_assimp_write_faces(import, &edits, &faces, text, tag, close, text + *size) &&
+                   !scene_assimp_write_material(import, &edits, text, tag, close) &&
                    !scene_assimp_write_group(import, &edits, text, tag, close)) {
             write_address(import, &edits, text, tag, close);
             if (hidden.open == 0 || hidden.is_named) {

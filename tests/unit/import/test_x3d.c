@@ -41,6 +41,42 @@ static void test_addresses(void **state)
     }
 }
 
+// Materials of X3D 4 keep their colours.
+static void test_materials(void **state)
+{
+    (void)state;
+    static const char told[] = "physically based materials (X3D): drawn dull, in their base colour";
+    static const struct {
+        const char *text;
+        float color[3], emissive[3];
+        bool is_told;
+    } cases[] = {
+        {"<Material diffuseColor='1 0 0'/>", {1, 0, 0}, {0, 0, 0}, false},
+        {"<UnlitMaterial emissiveColor='0 1 0'/>", {0, 0, 0}, {0, 1, 0}, false},
+        {"<UnlitMaterial></UnlitMaterial>", {0, 0, 0}, {1, 1, 1}, false},
+        {"<PhysicalMaterial metallic='0' baseColor='0 0 1'/>", {0, 0, 1}, {0, 0, 0}, true},
+        {"<PhysicalMaterial DEF='p' emissiveColor='1 0 0'/>", {1, 1, 1}, {1, 0, 0}, true},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        write_format("m.x3d", "<X3D><Scene>" SHAPE("%s") "</Scene></X3D>", cases[i].text);
+        struct scene_model *const model = load("m.x3d");
+        const struct scene_material *const material = &model->materials[model->meshes[0].material];
+        assert_floats(material->base_color, cases[i].color, 3, 0);
+        assert_floats(material->emissive, cases[i].emissive, 3, 0);
+        assert_int_equal(is_unsupported(model, told), cases[i].is_told);
+        assert_int_equal(model->unsupported_count, cases[i].is_told);
+        scene_model_free(model);
+    }
+    struct scene_model *const model =
+        load_text("u.x3d", "<X3D><Scene>" SHAPE("<UnlitMaterial DEF='u' emissiveColor='1 0 0'/>")
+                               SHAPE("<UnlitMaterial USE='u'/>") "</Scene></X3D>");
+    assert_int_equal(model->mesh_count, 2);
+    for (int i = 0; i < 2; i++) {
+        assert_floats(model->materials[model->meshes[i].material].emissive, (const float[]){1, 0, 0}, 3, 0);
+    }
+    scene_model_free(model);
+}
+
 // The alpha of a texture is that of its surface, in AC3D too.
 static void test_alpha_of_textures(void **state)
 {
@@ -534,6 +570,7 @@ static void test_lines(void **state)
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_addresses),
     cmocka_unit_test(test_alpha_of_textures),
+    cmocka_unit_test(test_materials),
     cmocka_unit_test(test_nodes),
     cmocka_unit_test(test_faces_within_faces),
     cmocka_unit_test(test_groups_within_groups),
