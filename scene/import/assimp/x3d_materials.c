@@ -11,9 +11,10 @@
 
 static const struct kind {
     const char *name;
-    const char *color, *written; // the attribute that has its colour, 1 1 1 where it has none, and how it is written
-    const char *more;            // attributes
-    const char *told;            // what is lost; NULL if nothing is
+    const char *color,
+        *written;     // the attribute that has its colour, 1 1 1 where it has none, and how it is written
+    const char *more; // attributes
+    const char *told; // what is lost; NULL if nothing is
 } kinds[] = {
     {"UnlitMaterial", "emissiveColor", "emissiveColor", " diffuseColor='0 0 0' specularColor='0 0 0'", NULL},
     {"PhysicalMaterial", "baseColor", "diffuseColor", "",

@@ -434,6 +434,8 @@ static void XMLCALL start_doctype(void *user, const XML_Char *name, const XML_Ch
 void scene_3mf_read_part(struct scene_3mf *file, uint32_t part)
 {
     enum { STEP = 1 << 16 };
+    static const char sealed[] = "%3McF"; // as an encrypted part begins (Secure Content, 3.1)
+    bool is_first = true;
     struct scene_3mf_xml xml = {.file = file, .part = part, .parser = XML_ParserCreate(NULL)};
     size_t size;
     if (xml.parser == NULL) {
@@ -451,6 +453,10 @@ void scene_3mf_read_part(struct scene_3mf *file, uint32_t part)
             scene_import_fail(file->import, "needs more memory than there is");
         }
         count = scene_zip_read(file->zip, buffer, STEP);
+        if (is_first && count >= strlen(sealed) && memcmp(buffer, sealed, strlen(sealed)) == 0) {
+            scene_import_fail(file->import, "\"%s\" in the archive is encrypted", file->parts[part]);
+        }
+        is_first = false;
         if (XML_ParseBuffer(xml.parser, (int)count, count == 0) != XML_STATUS_OK) {
             scene_3mf_refuse(&xml, XML_ErrorString(XML_GetErrorCode(xml.parser)));
         }

@@ -552,6 +552,16 @@ static void test_doctype(void **state)
     expect_refused("x.3mf", "a document type is not allowed");
 }
 
+// A part that is encrypted is refused for that, and not for what its bytes would mean.
+static void test_encrypted(void **state)
+{
+    (void)state;
+    zipFile zip = package_begin("x.3mf");
+    package_add(zip, "3D/3dmodel.model", "%3McF\0\0\0\x0c\0\0\0<?xml", 17);
+    package_end(zip);
+    expect_refused("x.3mf", "\"3D/3dmodel.model\" in the archive is encrypted");
+}
+
 static size_t read_package(unsigned char *bytes, size_t most)
 {
     FILE *file = fopen(path_of("x.3mf"), "rb");
@@ -651,6 +661,7 @@ static void test_cut(void **state)
 }
 
 static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_encrypted),
     cmocka_unit_test(test_colors),
     cmocka_unit_test(test_alpha_zero),
     cmocka_unit_test(test_required),
