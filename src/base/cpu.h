@@ -15,7 +15,8 @@ int rhw_cpu_cores(void);
 // Return the number of the core that the calling thread runs on, or -1 where the system does not tell.
 int rhw_cpu_core(void);
 
-// Move the calling thread to another core than `core`, where it may use one. From then on it may run on any again.
+// Move the calling thread to another core than `core`, where it may use one. From then on it may run on all that it
+// could use before; cores that the system gives the process later stay closed to it.
 void rhw_cpu_leave(int core);
 
 // Set the floating-point environment that the library promises: round to nearest, denormals kept, no traps. A program

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Cores on POSIX. On Linux they are the cores that the process may use, not all that the machine has.
+// Cores on POSIX: how many there are, which one a thread runs on, and another for it. On Linux they are the cores that
+// the process may use, not all that the machine has.
 #if defined(__linux__) && !defined(_GNU_SOURCE)
 #define _GNU_SOURCE // for sched_getaffinity and sched_getcpu
 #endif
@@ -44,8 +45,8 @@ int rhw_cpu_core(void)
 #endif
 }
 
-// A thread that the system takes a core from is moved at once, and stays where it is when it gets the core back. Where
-// the system refuses, as some sandboxes do, it stays on `core`.
+// A thread whose affinity loses its core is moved at once, and is not moved back when the core is added again. Where
+// the system refuses, as some sandboxes do, the thread stays on `core`.
 void rhw_cpu_leave(int core)
 {
 #if defined(__linux__)

@@ -49,8 +49,8 @@ RHW_INLINE void replace_block(unsigned char *texels, const unsigned char *consta
     }
 }
 
-// Do what replace_block does. The function is not inline: blocks of texels of 4 bytes that are covered all over are the
-// usual ones, and the masks of others would be made for them too.
+// Do what replace_block does. A compiler that inlines it makes the masks of partly covered rows before it asks whether
+// the block is covered all over, as the usual one of texels of 4 bytes is.
 static __attribute__((noinline)) void replace_sized_block(unsigned char *texels,
                                                           const unsigned char *constant, uint64_t mask,
                                                           size_t size)

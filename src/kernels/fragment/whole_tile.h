@@ -100,7 +100,7 @@ RHW_INLINE void fill_level_block(const struct tile_work *work, const struct leve
     }
 }
 
-// Queue and shade all blocks of a tile. `samples` tells which sample of them, and where in its pixels it lies.
+// Queue and shade the blocks of a tile in one sample. `samples` tells which one it is, and where in a pixel it lies.
 RHW_INLINE void fill_whole_tile(struct tile_work *work, const struct triangle_work *triangle,
                                 const struct block_samples *samples, enum derivatives derivatives,
                                 enum weight_path path)
@@ -114,7 +114,7 @@ RHW_INLINE void fill_whole_tile(struct tile_work *work, const struct triangle_wo
     const float *const position = samples->position;
     const f64x8 to_right = f64x8_splat((double)position[0] - sample_offset()),
                 to_bottom = f64x8_splat((double)position[1] - sample_offset());
-    struct block block;
+    struct block block; // without z and leaves_triangle, which nothing here asks for
     block.samples = samples;
     for (int y = 0; y < RHW_TILE; y += RHW_BLOCK) {
         struct block_planes over;
@@ -149,7 +149,7 @@ RHW_INLINE void fill_whole_tile(struct tile_work *work, const struct triangle_wo
     }
 }
 
-// Queue and shade all blocks of a tile in one sample.
+// Do what fill_whole_tile does, by the form that the triangle asks for.
 static void queue_tile_sample(struct tile_work *work, const struct triangle_work *triangle,
                               const struct block_samples *samples)
 {
@@ -166,7 +166,8 @@ static void queue_tile_sample(struct tile_work *work, const struct triangle_work
     }
 }
 
-// Queue and shade all blocks of a tile. The queue is empty, so that the groups fill it without a rest.
+// Queue and shade all blocks of a tile in each of its samples. The queue is empty, so that the groups fill it without a
+// rest.
 static void queue_tile(struct tile_work *work, struct triangle_work *triangle)
 {
     const struct rhw_sample_pattern *const pattern = work->target->pattern;

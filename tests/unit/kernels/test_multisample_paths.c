@@ -144,8 +144,8 @@ static void sample_fragment(struct rhw_fragment *groups, int count)
     }
 }
 
-// Shades each sample of tiles that triangles cover all over: of the first and the last where they lie on a floor, of the
-// others anywhere. The last ones are blended if `blend` is true.
+// Shades each sample of tiles that triangles cover all over: the first and the last lie on a floor, with depth and 1/W
+// level along a row, the others anywhere. The last ones are blended if `blend` is true.
 static uint64_t hash_of_whole_tiles(int samples, int inputs, bool blend, enum rhw_paths paths)
 {
     const struct {
@@ -176,7 +176,7 @@ static uint64_t hash_of_whole_tiles(int samples, int inputs, bool blend, enum rh
         struct rig_vertex vertices[3];
         for (int k = 0; k < 3; k++) {
             const float *const at = corners[n][k];
-            rig_place(&rig, at[0], at[1], 0.2f + 0.2f * (float)k, at[2], vertices[k].position);
+            rig_place(&rig, at[0], at[1], 0.5f + 0.0002f * at[1], at[2], vertices[k].position);
             for (int c = 0; c < 4; c++) {
                 vertices[k].value[c] = (float)((7 * k + 3 * c + n) % 5) * 0.25f;
             }
