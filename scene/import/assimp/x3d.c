@@ -165,9 +165,9 @@ static char *write_tags(struct scene_import *import, char *source, size_t *size)
     char *const text =
         scene_assimp_repeat_groups(import, scene_assimp_hide_proxies(import, source, size), size);
     struct scene_edits edits = {0};
-    // Many sets that use one list of points would each have indices of all of it.
-    const size_t room = (size_t)1 << 23, per_byte = 8;
-    struct scene_x3d_faces faces = {.largest = room + per_byte * *size};
+    // Many sets may use one list of points, which is read for each, and which each may have all of.
+    const size_t room = (size_t)1 << 23, per_byte = 8, most_read = (size_t)1 << 28;
+    struct scene_x3d_faces faces = {.largest = room + per_byte * *size, .most_read = most_read + *size};
     struct hidden hidden = {0};
     char *close;
     for (char *tag = strchr(text, '<'); tag != NULL; tag = strchr(close, '<')) {

@@ -230,6 +230,16 @@ static const char *write_use(struct scene_import *import, struct scene_edits *ed
     return written;
 }
 
+// Return false where a set would be one too many of those that use a list again. Count what is read of it.
+static bool has_room(struct scene_x3d_faces *faces, const struct scene_x3d_set *set)
+{
+    const bool is_room = faces->written < faces->largest && faces->read < faces->most_read;
+    for (int i = 0; i < SCENE_X3D_PURPOSES && is_room; i++) {
+        faces->read += set->parts[i].list.length;
+    }
+    return is_room || set->parts[SCENE_X3D_POINTS].list.text == NULL;
+}
+
 // Write the first tag of a set. Return what its end is called then, or NULL if it keeps its name.
 static const char *write_first(struct scene_import *import, struct scene_edits *edits,
                                struct scene_x3d_faces *faces, const char *text, struct scene_x3d_set *set,
@@ -241,7 +251,9 @@ static const char *write_first(struct scene_import *import, struct scene_edits *
         return write_use(import, edits, faces, at, set, use);
     }
     const char *const set_end = scene_x3d_find_parts(&faces->lists, text, set, end);
-    const enum scene_x3d_found found = set_end == NULL ? SCENE_X3D_NOTHING : scene_x3d_read_set(import, set);
+    const bool is_room = has_room(faces, set);
+    const enum scene_x3d_found found =
+        set_end == NULL || !is_room ? SCENE_X3D_NOTHING : scene_x3d_read_set(import, set);
     if (found == SCENE_X3D_OUT_OF_RANGE) {
         return NULL; // assimp gives indices of points that are not there, which the file is refused for
     }
@@ -253,7 +265,7 @@ static const char *write_first(struct scene_import *import, struct scene_edits *
     }
     if (scene_x3d_is_quads(set->kind)) {
         scene_import_unsupported(import, "quads: not drawn");
-    } else if (found == SCENE_X3D_FACES) {
+    } else if (found == SCENE_X3D_FACES || !is_room) {
         scene_import_unsupported(import, "sets of points that many use (X3D): not all drawn");
     } else if (set->parts[SCENE_X3D_POINTS].property != NULL &&
                set->parts[SCENE_X3D_POINTS].list.text == NULL) {

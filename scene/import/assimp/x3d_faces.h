@@ -9,9 +9,10 @@
 
 struct aiMesh;
 
-/// What is kept between the tags of a document. At its beginning all but `largest` is zero.
+/// What is kept between the tags of a document. At its beginning all but `largest` and `most_read` is zero.
 struct scene_x3d_faces {
     size_t written, largest; ///< bytes of all sets that were written, and how many they may be
+    size_t read, most_read;  ///< bytes of their lists, as often as one was read, and how many they may be
     size_t end;              ///< where the set ends that was written last
     const char *end_name;    ///< what it is called at its end; NULL where it keeps its name
     struct scene_x3d_names

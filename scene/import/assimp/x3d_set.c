@@ -82,7 +82,8 @@ struct scene_collada_value scene_x3d_list_of(const struct scene_x3d_names *lists
         list = used == NULL ? (struct scene_collada_value){NULL, 0}
                             : (struct scene_collada_value){(char *)(uintptr_t)(text + used->at), used->size};
     }
-    for (size_t i = 0; i < list.length; i++) {
+    // One that is used again was looked through when its name was kept.
+    for (size_t i = 0; i < list.length && use.text == NULL; i++) {
         if (strchr("'\"<&", list.text[i]) != NULL) {
             return (struct scene_collada_value){NULL, 0};
         }
@@ -156,6 +157,8 @@ static void read_ways(struct scene_import *import, struct scene_x3d_set *set)
     static const char *const flags[SCENE_X3D_PURPOSES] = {
         [SCENE_X3D_NORMALS] = "normalPerVertex", [SCENE_X3D_COLORS] = "colorPerVertex"};
     const size_t points = set->parts[SCENE_X3D_POINTS].numbers.count / 3;
+    // One of many sets that use a list may have few of its points.
+    set->is_parted = set->corners.count - set->corners.face_count < points;
     for (int i = SCENE_X3D_NORMALS; i < SCENE_X3D_PURPOSES; i++) {
         struct scene_x3d_part *const part = &set->parts[i];
         part->is_of_faces =

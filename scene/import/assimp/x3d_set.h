@@ -49,7 +49,8 @@ struct scene_x3d_set {
     struct scene_x3d_part parts[SCENE_X3D_PURPOSES];
     struct scene_x3d_indices index;
     struct scene_x3d_corners corners;
-    bool is_parted; ///< each corner is a point of its own, as it has more than goes by the number of its point
+    bool is_parted; ///< each corner is a point of its own, as it has more than goes by the number of its point, or as
+                    ///< there are more points than corners
 };
 
 /// Return the property, or the kind of set, that a tag is. Return NULL if it is none.

@@ -363,6 +363,33 @@ static void test_quads_of_the_same_points(void **state)
     scene_model_free(model);
 }
 
+// Sets that use a few points each of one long list have no more points than corners, so that all of them are drawn.
+static void test_few_of_many_points(void **state)
+{
+    (void)state;
+    enum { POINTS = 20000, SETS = 500, LONGEST = 120 };
+    static char text[POINTS * 16 + SETS * LONGEST + 4096];
+    strcpy(text, "<X3D><Scene><Shape><PointSet><Coordinate DEF='c' point='");
+    char *out = text + strlen(text);
+    for (int i = 0; i < POINTS; i++) {
+        out += sprintf(out, "%d %d 0 ", i / 2, i % 2);
+    }
+    out += sprintf(out, "'/></PointSet></Shape>");
+    for (int i = 0; i < SETS; i++) {
+        const int first = i * (POINTS / SETS);
+        out += sprintf(
+            out,
+            "<Shape><IndexedFaceSet coordIndex='%d %d %d'><Coordinate USE='c'/></IndexedFaceSet></Shape>",
+            first, first + 2, first + 1);
+    }
+    strcpy(out, "</Scene></X3D>");
+    struct scene_model *const model = load_text("s.x3d", text);
+    assert_int_equal(model->unsupported_count, 0);
+    assert_int_equal(model->triangles_drawn, SETS);
+    assert_int_equal(model->meshes[SETS].vertex_count, 3);
+    scene_model_free(model);
+}
+
 // A roof of two triangles, one of which rises by 0.3 rad from the other's plane.
 #define ROOF "<Coordinate point='0 0 0 0 1 0 1 0 0 -0.9553 0 0.2955'/>"
 #define FOLD "coordIndex='0 2 1 -1 0 1 3 -1'"
@@ -577,6 +604,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_lights_that_are_used_again),
     cmocka_unit_test(test_quads),
     cmocka_unit_test(test_quads_of_the_same_points),
+    cmocka_unit_test(test_few_of_many_points),
     cmocka_unit_test(test_corners),
     cmocka_unit_test(test_points_of_faces),
     cmocka_unit_test(test_lines),
