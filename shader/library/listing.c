@@ -57,6 +57,10 @@ static void print_code(struct shader_memory *memory, const struct shader_sink *s
                        const rhw_shader_program *program, enum rhw_shader_stage kind)
 {
     const struct shader_linked_stage stage = shader_describe_stage(program, kind);
+    if (kind == RHW_SHADER_FRAGMENT && !program->program.fragment[RHW_ISA_BASELINE]) {
+        shader_sink_print(sink, "; this stage does nothing and is not called\n");
+        return;
+    }
     if (!program->machine[kind].code) {
         shader_sink_print(sink, "; the interpreter executes this stage here\n");
     }

@@ -119,7 +119,9 @@ export RHW_JIT=0
 succeed shader --print code double.comp
 unset RHW_JIT
 check "who executes it" grep -q "^; the interpreter executes this stage here$" "$folder/log/out"
-
+printf '#version 450\nvoid main() {}\n' >nothing.frag
+succeed shader --print code nothing.frag
+check "that nobody executes it" test "$(cat "$folder/log/out")" = "; this stage does nothing and is not called"
 
 # What a file is made of, for make.
 printf '#define ONE 1.0\n' >'o n$e.glsl'
