@@ -254,7 +254,7 @@ static const char *write_first(struct scene_import *import, struct scene_edits *
     const bool is_room = has_room(faces, set);
     const enum scene_x3d_found found =
         set_end == NULL || !is_room ? SCENE_X3D_NOTHING : scene_x3d_read_set(import, set);
-    if (found == SCENE_X3D_OUT_OF_RANGE) {
+    if (found == SCENE_X3D_OUT_OF_RANGE && !scene_x3d_is_quads(set->kind)) {
         return NULL; // assimp gives indices of points that are not there, which the file is refused for
     }
     if (found == SCENE_X3D_FACES && write_set(import, edits, faces, text, set)) {

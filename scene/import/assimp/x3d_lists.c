@@ -88,7 +88,6 @@ bool scene_x3d_same_indices(const struct scene_x3d_indices *a, const struct scen
 // What is under way while corners are found.
 struct work {
     struct scene_import *import;
-    const struct scene_x3d_indices *indices;
     struct scene_x3d_corners *corners;
     size_t capacity, face_capacity;
     size_t face; // the number of the next one
@@ -165,6 +164,7 @@ static void add_run(struct work *work, enum scene_x3d_order order, size_t start,
         return;
     }
     if (order == SCENE_X3D_FANS || order == SCENE_X3D_STRIPS) {
+        work->corners->has_short = work->corners->has_short || (end > start && end - start < 3);
         for (size_t i = start; i + 2 < end; i++) {
             const bool is_odd = order == SCENE_X3D_STRIPS && (i - start) % 2 == 1;
             const size_t first = order == SCENE_X3D_FANS ? start : i;
@@ -172,6 +172,7 @@ static void add_run(struct work *work, enum scene_x3d_order order, size_t start,
         }
         return;
     }
+    work->corners->has_short = work->corners->has_short || (end > start && (end - start) % each > 0);
     for (size_t i = start; i < end && end - i >= each; i += each) {
         const size_t first = work->corners->count;
         for (size_t k = i; k < i + each; k++) {
@@ -186,7 +187,7 @@ enum scene_x3d_found scene_x3d_find_corners(struct scene_import *import,
                                             enum scene_x3d_order order, bool is_turned, size_t points,
                                             struct scene_x3d_corners *corners)
 {
-    struct work work = {.import = import, .indices = indices, .corners = corners, .is_turned = is_turned};
+    struct work work = {.import = import, .corners = corners, .is_turned = is_turned};
     size_t start = 0;
     for (size_t i = 0; i <= indices->count; i++) {
         if (i < indices->count && indices->list[i] >= (int64_t)points) {

@@ -33,7 +33,7 @@ struct scene_x3d_corners {
     size_t count;
     size_t *faces; ///< the number that each face has among all, also those that are left out
     size_t face_count;
-    bool has_short; ///< some faces have fewer than three corners, or lines one
+    bool has_short; ///< some faces have fewer than three corners, quads than four, or lines one
 };
 
 /// What indices make.

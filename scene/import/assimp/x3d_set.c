@@ -179,6 +179,19 @@ static void read_ways(struct scene_import *import, struct scene_x3d_set *set)
     }
 }
 
+// Tell of corners that are too few for a face. A set of quads that has no other is told as a whole.
+static void tell_short(struct scene_import *import, const struct scene_x3d_set *set,
+                       enum scene_x3d_found found)
+{
+    const bool is_quads = scene_x3d_is_quads(set->kind);
+    if (set->corners.has_short && !(is_quads && found != SCENE_X3D_FACES)) {
+        scene_import_unsupported(import, is_quads ? "quads of fewer than four corners (X3D): left out"
+                                         : scene_x3d_is_lines(set->kind)
+                                             ? "lines of one point (X3D): left out"
+                                             : "faces of fewer than three corners (X3D): left out");
+    }
+}
+
 enum scene_x3d_found scene_x3d_read_set(struct scene_import *import, struct scene_x3d_set *set)
 {
     if (is_grid(set->kind)) {
@@ -195,11 +208,7 @@ enum scene_x3d_found scene_x3d_read_set(struct scene_import *import, struct scen
     set->index = is_grid(set->kind) ? set->grid.index : read_index(import, set, points);
     const enum scene_x3d_found found =
         scene_x3d_find_corners(import, &set->index, set->kind->order, is_turned, points, &set->corners);
-    if (set->corners.has_short) {
-        scene_import_unsupported(import, scene_x3d_is_lines(set->kind)
-                                             ? "lines of one point (X3D): left out"
-                                             : "faces of fewer than three corners (X3D): left out");
-    }
+    tell_short(import, set, found);
     if (found == SCENE_X3D_FACES) {
         read_ways(import, set);
     }
