@@ -2,6 +2,7 @@
 """What is wrong with a model, a panorama or a place is one line, and leaves nothing half done."""
 
 import errno
+import json
 import os
 import shutil
 
@@ -166,6 +167,18 @@ def test_a_damaged_folder(boxes, tmp_path, capsys, name, line):
     for damaged in ("{}", '{"format": "rhw.dataset 1"}', '{"format": "rhw.dataset 1", "models": [7]}'):
         (out / "manifest.json").write_text(damaged)
         assert say(capsys, "--verify", out)[1].count("\n") == 1
+
+
+@pytest.mark.parametrize("change", [
+    lambda about, model, view: model.update(views=[]), lambda about, model, view: view.update(files={}),
+    lambda about, model, view: about.update(size=[10**400, 1]), lambda about, model, view: view.update(cx=10**400)])
+def test_a_damaged_manifest(boxes, tmp_path, capsys, change):
+    out = tmp_path / "set"
+    run(boxes, "--views", 1, "--size", 20, "--out", out)
+    about = manifest(out)
+    change(about, about["models"][0], about["models"][0]["views"][0])
+    (out / "manifest.json").write_text(json.dumps(about))
+    assert say(capsys, "--verify", out) == (1, f"rhw.dataset: {out}/manifest.json: is damaged\n")
 
 
 def test_a_damaged_plan(boxes, tmp_path, capsys):

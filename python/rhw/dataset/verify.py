@@ -14,7 +14,7 @@ from .plan import FORMAT
 
 
 def verify(folder: str, quiet: bool) -> int:
-    """Says a line for each file that is not what it was; the exit status."""
+    """Says a line for each file that is not what it was, a model's transforms.json among them; the exit status."""
     path = store.manifest_path(folder)
     try:
         about = store.read(path)
@@ -32,7 +32,7 @@ def verify(folder: str, quiet: bool) -> int:
             if fault:
                 faults += 1
                 print(f"rhw.dataset: {os.path.join(folder, name)}: {fault}", file=sys.stderr)
-    except (AttributeError, KeyError, StopIteration, TypeError, ValueError):
+    except (ArithmeticError, AttributeError, LookupError, RecursionError, TypeError, ValueError):
         raise Failure(f"{path}: is damaged") from None
     if faults:
         raise Failure(f"{folder}: {faults} of {files} files are not those of the manifest")
@@ -44,6 +44,8 @@ def verify(folder: str, quiet: bool) -> int:
 def _hashes(about: Dict[str, Any]) -> Iterator[Tuple[str, str]]:
     """The files of the set; what follows from the manifest has its hash from there."""
     for model in about["models"]:
+        if not model["views"] or not all(map(store.is_record, model["views"])):
+            raise ValueError
         for view in model["views"]:
             yield from view["sha256"].items()
         cameras = manifest.transforms(about["size"], model["views"])
