@@ -130,7 +130,11 @@ def test_what_is_there_already(asked, tmp_path, capsys):
     assert say(capsys, *asked) == (0, f"rhw.dataset: {damaged}: is not what was drawn, and is drawn again\n")
     assert files(out) == before and not damaged.is_symlink()
     cameras = out / "boxes/transforms.json"
-    cameras.write_bytes(b"{}")
+    cameras.rename(tmp_path / "cameras.json")
+    cameras.symlink_to(tmp_path / "cameras.json")
+    (out / "manifest.json").unlink()
+    assert say(capsys, *asked) == (0, "") and files(out) == before and cameras.is_symlink()
+    (tmp_path / "cameras.json").write_bytes(b"{}")
     assert say(capsys, "--verify", out) == (1, f"rhw.dataset: {cameras}: has changed\n"
                                                f"rhw.dataset: {out}: 1 of 3 files are not those of the manifest\n")
     assert say(capsys, *asked) == (0, "") and files(out) == before

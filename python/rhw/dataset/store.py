@@ -83,16 +83,16 @@ def digest(path: str) -> str:
 
 
 def put(path: str, data: bytes) -> None:
-    """Writes a file, unless it is there with these bytes. A link gives way: what it leads to may be another file of the set."""
-    if os.path.islink(path):
-        with contextlib.suppress(FileNotFoundError):  # of another that draws the same view
-            os.unlink(path)
+    """Writes a file, unless it is there with these bytes. A link to others gives way: they may be another file of the set."""
     try:
         with open(path, "rb") as file:
             if file.read() == data:
                 return
     except FileNotFoundError:
         pass
+    if os.path.islink(path):
+        with contextlib.suppress(FileNotFoundError):  # of another that draws the same view
+            os.unlink(path)
     _files.write(path, data)
 
 
