@@ -105,7 +105,7 @@ class _Gradient(Function):
 
     @staticmethod
     def forward(ctx: Any, gradient: torch.Tensor, *causes: torch.Tensor) -> torch.Tensor:
-        return gradient.view_as(gradient)
+        return gradient.clone()
 
     @staticmethod
     def backward(ctx: Any, *gradients: torch.Tensor) -> Any:
@@ -113,15 +113,16 @@ class _Gradient(Function):
 
 
 def _differentiated_once(backward: Callable[..., Any]) -> Callable[..., Any]:
-    """Refuses the second derivative of a backward function. torch's once_differentiable says nothing of one that is lost where
-    the gradient on the way back is a constant, as that of a sum."""
+    """Gives a backward function the saved tensors, and refuses its second derivative. torch's once_differentiable says nothing of
+    one that is lost where the gradient on the way back is a constant, as that of a sum."""
     @functools.wraps(backward)
     def refusing(ctx: Any, *gradients: Any) -> Any:
+        saved = ctx.saved_tensors
         with torch.no_grad():
-            results = backward(ctx, *gradients)
+            results = backward(ctx, saved, *gradients)
         if not torch.is_grad_enabled():
             return results
-        causes = [tensor for tensor in (*ctx.saved_tensors, *gradients) if tensor is not None and tensor.requires_grad]
+        causes = [tensor for tensor in (*saved, *gradients) if tensor is not None and tensor.requires_grad]
         return tuple(None if result is None else _Gradient.apply(result, *causes) for result in results)
 
     return refusing
@@ -141,8 +142,8 @@ class _Rasterize(Function):
 
     @staticmethod
     @_differentiated_once
-    def backward(ctx: Any, to_rast: torch.Tensor, to_rast_db: torch.Tensor) -> Tuple[Any, ...]:
-        pos, tri, rast = ctx.saved_tensors
+    def backward(ctx: Any, saved: Tuple[Any, ...], to_rast: torch.Tensor, to_rast_db: torch.Tensor) -> Tuple[Any, ...]:
+        pos, tri, rast = saved
         gradient = diff.rasterize_grad(_array(pos), _array(tri), _array(rast), _array(to_rast),
                                        _array(to_rast_db) if ctx.grad_db else None, context=ctx.context)
         return None, None, _tensor(gradient, pos), None, None
@@ -205,8 +206,8 @@ class _Interpolate(Function):
 
     @staticmethod
     @_differentiated_once
-    def backward(ctx: Any, to_values: torch.Tensor, to_slopes: torch.Tensor) -> Tuple[Any, ...]:
-        attr, rast, tri, rast_db = ctx.saved_tensors
+    def backward(ctx: Any, saved: Tuple[Any, ...], to_values: torch.Tensor, to_slopes: torch.Tensor) -> Tuple[Any, ...]:
+        attr, rast, tri, rast_db = saved
         to_attr, to_rast, to_rast_db = diff.interpolate_grad(_array(attr), _array(rast), _array(tri), _array(to_values),
                                                              _array(rast_db), _array(to_slopes), ctx.diff_attrs)
         return _tensor(to_attr, attr), _tensor(to_rast, attr), None, _tensor(to_rast_db, attr), None
@@ -234,8 +235,8 @@ class _Texture(Function):
 
     @staticmethod
     @_differentiated_once
-    def backward(ctx: Any, to_values: torch.Tensor) -> Tuple[Any, ...]:
-        tex, uv, uv_da, bias, *mip = ctx.saved_tensors
+    def backward(ctx: Any, saved: Tuple[Any, ...], to_values: torch.Tensor) -> Tuple[Any, ...]:
+        tex, uv, uv_da, bias, *mip = saved
         levels = [_array(level) for level in mip] if mip else ctx.made
         to_tex, to_uv, to_uv_da, to_bias, to_mip = diff.texture_grad(_array(tex), _array(uv), _array(to_values), _array(uv_da),
                                                                      _array(bias), levels, *ctx.options)
@@ -283,8 +284,8 @@ class _Antialias(Function):
 
     @staticmethod
     @_differentiated_once
-    def backward(ctx: Any, to_result: torch.Tensor) -> Tuple[Any, ...]:
-        color, rast, pos, tri = map(_array, ctx.saved_tensors)
+    def backward(ctx: Any, saved: Tuple[Any, ...], to_result: torch.Tensor) -> Tuple[Any, ...]:
+        color, rast, pos, tri = map(_array, saved)
         to_color, to_pos = diff.antialias_grad(color, rast, pos, tri, _array(to_result), ctx.topology_hash)
         return _tensor(to_color, to_result), None, _tensor(to_pos, to_result) * ctx.boost, None, None, None
 

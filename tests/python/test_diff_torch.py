@@ -172,5 +172,7 @@ def test_a_second_derivative_is_refused():
             (gradient,) = torch.autograd.grad(whole, pos, create_graph=True)
             with pytest.raises(RuntimeError, match="differentiate twice"):
                 (gradient.square().sum() + whole).backward(retain_graph=True)
+    (gradient,) = torch.autograd.grad(dr.rasterize(glctx, pos, tri, SIZE)[0][..., 0].sum(), pos, create_graph=True)
+    gradient *= 2  # It is no view, which could not be changed.
     with pytest.raises(RuntimeError, match="differentiate twice"):
         torch.autograd.functional.hessian(lambda pos: dr.rasterize(glctx, pos, tri, SIZE)[0][..., 0].sum(), pos)
