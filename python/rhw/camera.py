@@ -80,7 +80,7 @@ class Camera:
     Angles are degrees. Near and far planes lie around the model unless they are given. Cameras can be pickled.
     """
 
-    def __init__(self, resolve: _Resolve, text: str):  # a function that can be pickled
+    def __init__(self, resolve: _Resolve, text: str):  # Cameras are pickled, so the function must be one that can be.
         self._resolve = resolve
         self._text = text
 
@@ -177,7 +177,6 @@ class Camera:
         rows, moved = view[:3, :3].tolist(), view[:3, 3].tolist()
         eye = [-sum(rows[r][c] * moved[r] for r in range(3)) for c in range(3)]
         numbers = _posed(eye, view[2, :3], -view[1, :3])
-
         return cls(_planes(partial(_opencv_lens, numbers, (fx, fy, cx, cy)), near, far),
                    f"intrinsics({fx:g}, {fy:g}, {cx:g}, {cy:g})")
 

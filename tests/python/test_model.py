@@ -428,6 +428,9 @@ def test_pickles_of_cameras_and_environments(square):
         assert repr(again) == repr(camera)
         if camera in cameras:
             assert np.array_equal(again.at(model, (64, 48)).matrix, camera.at(model, (64, 48)).matrix)
+    filmed, camera = rhw.load(model_file("glTF2/cameras/Cameras.gltf")), rhw.Camera.of_model(1)
+    again = pickle.loads(pickle.dumps(camera))
+    assert np.array_equal(again.at(filmed, (64, 48)).matrix, camera.at(filmed, (64, 48)).matrix)
     sky = rhw.Environment(np.random.default_rng(1).random((16, 32, 3), np.float32) * 1000 - 1)
     again = pickle.loads(pickle.dumps(sky))
     assert np.array_equal(again.texels, sky.texels)
@@ -448,3 +451,9 @@ def test_masked_arrays(square):
                  lambda: rhw.pipeline.Buffer(masked), lambda: rhw.Camera.look_at((1, 2, 3), np.ma.masked_less([0., 1, 2], 1))):
         with pytest.raises(ValueError, match="^[a-z]+: must have no masked elements; "):
             call()
+    with pytest.raises(TypeError, match="^azimuth: must be a number"):
+        rhw.Camera.orbit(np.ma.masked)
+    within = []
+    within.append(within)
+    with pytest.raises(TypeError, match="^vertices: cannot be read as an array"):
+        rhw.Model(within, faces)
