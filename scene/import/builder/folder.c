@@ -111,11 +111,11 @@ static bool match_case(struct scene_import *import, char *path, char *component)
 
 // Endings of images: those that can be read, the likeliest first, and behind them those of older programs.
 static const char *const endings[] = {
-    "png", "jpg", "jpeg", "tga",  "dds", "tif", "tiff", "bmp", "webp", "ktx2", "psd", "gif", "avif",
-    "hdr", "exr", "jpe",  "jfif", "ppm", "pgm", "pnm",  "dib", "rgb",  "rgba", "sgi", "iff", "pcx",
-    "pic", "pct", "jp2",  "pict", "rle", "icb", "vda",  "jps", "cel",  "vtf",  "blp", "tx",  "svg",
+    "png", "jpg", "jpeg", "tga", "dds", "tif", "tiff", "bmp", "webp", "ktx2", "psd", "gif", "avif", "hdr",
+    "exr", "jpe", "jfif", "ppm", "pgm", "pnm", "dib",  "sgi", "rgb",  "rgba", "bw",  "iff", "pcx",  "pic",
+    "pct", "jp2", "pict", "rle", "icb", "vda", "jps",  "cel", "vtf",  "blp",  "tx",  "svg",
 };
-enum { ENDINGS = sizeof endings / sizeof endings[0], READ_ENDINGS = 21 };
+enum { ENDINGS = sizeof endings / sizeof endings[0], READ_ENDINGS = 25 };
 
 // Return the number of the ending of a name. Return ENDINGS if it is none of an image.
 static int ending_of(const char *name)

@@ -155,6 +155,12 @@ static void test_written_otherwise(void **state)
     assert_true(is_found("m.obj", "what?.tga"));
     unlink(path_of("what?.tga"));
     unlink(path_of("my roof.tga"));
+    static const char *const of_sgi[] = {"floor.sgi", "floor.rgb", "floor.rgba", "floor.bw"};
+    for (int i = 0; i < 4; i++) {
+        write_picture(of_sgi[i]);
+        assert_true(is_found("m.obj", "floor.tif"));
+        unlink(path_of(of_sgi[i]));
+    }
 }
 
 // Names in a code page, of files that were unpacked as UTF-8, and the other way round. \xce\xc6\xc0\xed is GBK, and what
