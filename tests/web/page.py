@@ -457,7 +457,7 @@ class Page(PageCase):
         wall = "data:text/plain," + "%0A".join(["mtllib wall.mtl", "v 0 0 0", "v 1 0 0", "v 0 1 0", "vt 0 0", "usemtl a", "f 1/1 2/1 3/1"])
         named = "data:text/plain,newmtl%20a%0Amap_Kd%20wall.png"
         image = self.script("const c = document.createElement('canvas'); c.width = c.height = 1; return c.toDataURL()")
-        self.drop({"source": {"wall.obj": wall, "wall.mtl": named}, "textures": {"wall.png": image, "large.zip": None}}, "chair")
+        self.drop({"source": {"wall.obj": wall, "wall.mtl": named}, "textures": {"wall.png": image, "large.zip": None, "gone.png": None}, "other": {"gone.png": None}}, "chair")
         self.wait("rhw.views.model.name === 'wall.obj' && rhw.views.model.figure.dataset.drawn === 'still'")
         self.assertFalse(self.node("#model .warnings").is_displayed(), "textures beside the model's folder")
         self.drop({"box.obj": box, "gone.png": None}, "things")

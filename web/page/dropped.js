@@ -2,7 +2,9 @@
 // Files that were dropped or chosen, folders too, as a model and the files beside it.
 
 const MODELS = [/\.(glb|gltf)$/i, /\.(obj|ply|off|stl|3mf)$/i]; // of several in a folder, the better described first
-const NAMED = /\.(bin|mtl|png|jpe?g|webp|ktx2|gif|bmp|tga|tiff?|dds|hdr|exr|avif)$/i; // what a model may name
+const NAMED = /\.(bin|mtl|png|jpe?g|jpe|jfif|webp|ktx2|gif|bmp|dib|tga|tiff?|dds|psd|hdr|exr|avif|p[gnp]m|sgi|rgba?|bw)$/i; // what a model may name
+const BESIDE = /^((textures?|tex|images|maps|materials)\/.+|[^/]+)$/i; // where that is looked for beside the model's folder
+const MOST_BESIDE = 2 ** 28; // bytes of it that are read: a folder of downloads has more beside a model
 
 const depthOf = (path) => path.split('/').length;
 const folderOf = (path) => path.slice(0, path.lastIndexOf('/') + 1);
@@ -49,8 +51,8 @@ async function read([path, file]) {
 
 /**
  * {bytes, name, files}: of several files one is the model, the others are those that it may name: all in its folder, and of those
- * beside its folder, as textures often are, what models name. Paths count from there.
- * undefined where there is none. What cannot be read is an error whose message is its path.
+ * beside its folder, as textures often are, what models name. Paths count from the folder that holds the model's.
+ * undefined where there is none. What cannot be read is an error whose message is its path, or is left out where it lies beside.
  */
 export async function modelOf(list) {
   const kindOf = ([path]) => [...MODELS.map((kind) => kind.test(path)), true].indexOf(true);
@@ -60,8 +62,16 @@ export async function modelOf(list) {
   }
   const folder = folderOf(main[0]);
   const around = folderOf(folder.slice(0, -1));
-  const mayName = ([path]) => path.startsWith(folder) || (path.startsWith(around) && NAMED.test(path));
-  const others = list.filter((file) => file !== main && mayName(file));
-  const [[name, bytes], ...files] = (await Promise.all([main, ...others].map(read))).map(([path, data]) => [path.slice(around.length), data]);
+  const own = list.filter((file) => file !== main && file[0].startsWith(folder));
+  let room = MOST_BESIDE;
+  const beside = list.filter(([path, { size }]) => {
+    const isBeside = !path.startsWith(folder) && path.startsWith(around) && BESIDE.test(path.slice(around.length));
+    const isRead = isBeside && NAMED.test(path) && size <= room;
+    room -= isRead ? size : 0;
+    return isRead;
+  });
+  const reads = [...[main, ...own].map(read), ...beside.map((file) => read(file).catch(() => undefined))];
+  const there = (await Promise.all(reads)).filter(Boolean);
+  const [[name, bytes], ...files] = there.map(([path, data]) => [path.slice(around.length), data]);
   return { bytes, name, files: Object.fromEntries(files) };
 }
