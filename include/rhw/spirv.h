@@ -236,8 +236,8 @@ RHW_API enum rhw_result rhw_shader_program_create(const struct rhw_shader_progra
 /// and no dispatch of it is under way.
 RHW_API void rhw_shader_program_destroy(rhw_shader_program *program);
 
-/// Return what rhw_pipeline_def.program takes. Attribute i of the pipeline is location i. The uniforms of the draw are
-/// a struct rhw_shader_frame (rhw_pass_set_uniforms).
+/// Return what rhw_pipeline_def.program takes. Attribute i is location i, uniforms are a struct rhw_shader_frame.
+/// Unless feedback keeps outputs, a location may be several varyings, and a constant point size of 1 is not written.
 RHW_API const struct rhw_program *rhw_shader_program_get(const rhw_shader_program *program);
 /// What transform feedback keeps of a program's vertices: SPIR-V's XfbBuffer, XfbStride and Offset, in the words of
 /// rhw_pipeline_def.feedback_outputs and feedback_strides.

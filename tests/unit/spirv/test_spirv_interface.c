@@ -14,6 +14,7 @@
 #include "interface_vert.h"
 #include "kept_blocks_vert.h"
 #include "kept_many_vert.h"
+#include "kept_size_vert.h"
 #include "places_frag.h"
 #include "places_sample_frag.h"
 #include "places_vert.h"
@@ -243,7 +244,7 @@ static void test_samples_look_at_other_places(void **state)
     close_rig(&rig, program);
 }
 
-// Varyings are split where derivatives of some components alone are asked for, as long as there may be as many.
+// Varyings are split where derivatives of some components alone are asked for, unless they become more than there may be.
 static void test_derivatives_stand_apart(void **state)
 {
     (void)state;
@@ -473,6 +474,35 @@ static void test_blocks_of_an_array_are_kept_apart(void **state)
     rhw_shader_program_destroy(program);
 }
 
+static void test_a_point_size_of_1_is_kept(void **state)
+{
+    (void)state;
+    struct rig rig;
+    rhw_shader_program *const program =
+        open_rig(&rig, SPIRV_CREATE(kept_size_vert, RHW_SHADER_VERTEX), NULL, 1);
+    const struct rhw_shader_feedback *const kept = rhw_shader_program_get_feedback(program);
+    assert_int_equal(kept->output_count, 1);
+    rig.pipeline.targets[0].write_mask = RHW_WRITE_NONE;
+    rig.pipeline.feedback_outputs[0] = kept->outputs[0];
+    rig.pipeline.feedback_output_count = 1;
+    rig.pipeline.feedback_strides[0] = kept->strides[0];
+    const struct rhw_shader_frame frame = {.push_size = 0};
+    struct rig_vertex vertices[3];
+    make_places(&rig, corners, vertices);
+    float sizes[4] = {0};
+    rig_begin(&rig);
+    rig_use_pipeline(&rig);
+    rig_use_vertices(&rig, 0, vertices, sizeof vertices);
+    rhw_pass_set_uniforms(rig.context, rig.recording, &frame, sizeof frame);
+    rhw_pass_begin_transform_feedback(
+        rig.context, rig.recording, &(struct rhw_feedback_target){.memory = sizes, .size = sizeof sizes}, 1);
+    rhw_pass_draw(rig.context, rig.recording, 0, 3, 0, 1);
+    rhw_pass_end_transform_feedback(rig.context, rig.recording, NULL);
+    rig_end(&rig);
+    assert_memory_equal(sizes, ((const float[4]){1, 1, 1, 0}), sizeof sizes);
+    close_rig(&rig, program);
+}
+
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_varyings_keep_their_qualifiers),
     cmocka_unit_test(test_inputs_are_taken_at_other_places),
@@ -484,6 +514,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_an_input_that_is_not_written_is_named),
     cmocka_unit_test(test_many_components_are_kept),
     cmocka_unit_test(test_blocks_of_an_array_are_kept_apart),
+    cmocka_unit_test(test_a_point_size_of_1_is_kept),
 };
 
 const struct unit_tests test_spirv_interface = UNIT_TESTS(tests, NULL, NULL);
