@@ -245,7 +245,7 @@ static bool build_components(struct shader_builder *builder, uint32_t opcode)
     return true;
 }
 
-// Others ---------------------------------------------------------------------------------------------
+// Truths, and results of two words -------------------------------------------------------------------
 
 static void build_any_all(struct shader_builder *builder, enum shader_op op)
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Products of vectors and matrices. Sums of products are added from the first to the last.
+// Products and transposes of vectors and matrices. Sums of products are added from the first to the last.
 #include "build.h"
 
 static uint32_t add_product(struct shader_builder *builder, uint32_t sum, uint32_t a, uint32_t b)

@@ -10,11 +10,11 @@ enum {
     MAX_DEPTH = 4        // operations between the counter and an index, and blocks between header and test
 };
 
-// Bounds of loops whose counter picks nothing, which save their masks, and of those whose counter picks: rounds, and
-// words of all rounds of a loop.
+// Bounds of loops whose counter picks nothing, which save their masks, and of those whose counter picks. Four rounds
+// are the texels of a shadow's tap, or a scene's lights; longer loops would be much code for little.
 static const struct {
-    uint32_t rounds, words;
-} bounds[2] = {{4, 1 << 12}, {MAX_ROUNDS, MAX_WORDS}};
+    uint32_t rounds, words; // words: of all rounds of a loop
+} bounds[2] = {{.rounds = 4, .words = 1 << 12}, {.rounds = MAX_ROUNDS, .words = MAX_WORDS}};
 
 struct loop {
     struct shader_builder *builder;

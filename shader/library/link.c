@@ -136,14 +136,18 @@ static uint32_t end_of_run(const struct shader_interface *fragment, uint32_t fir
     return end;
 }
 
-// Return true if there is room for the varyings where derivatives stand apart, one of which is kept for W. What
-// transform feedback keeps wants the room, too.
+// Return true if there is room for the varyings where derivatives stand apart: for RHW_MAX_VARYINGS - 1 of them, since
+// W may need one. What transform feedback keeps wants the room, too.
 static bool may_be_apart(const struct shader_interface *vertex, const struct shader_interface *fragment)
 {
     int count = vertex->is_captured ? RHW_MAX_VARYINGS : 0;
     for (uint32_t number = 0; number < SHADER_IN_NUMBERS;) {
-        count += fragment->reads[number] ? 1 : 0;
-        number = fragment->reads[number] ? end_of_run(fragment, number, true) : number + 1;
+        if (!fragment->reads[number]) {
+            number++;
+            continue;
+        }
+        number = end_of_run(fragment, number, true);
+        count++;
     }
     return count < RHW_MAX_VARYINGS;
 }

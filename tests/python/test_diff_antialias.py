@@ -114,7 +114,7 @@ def test_a_square_covers_what_it_covers():
 
 
 def test_topology_of_any_numbers():
-    """Edges of vertices whose numbers have one, some or all of 32 bits, against a table of them."""
+    """Edges of vertices whose numbers have two, some or nearly all of 32 bits, against a table of them."""
     random = np.random.default_rng(2)
     for shift in (0, 2, 15, 16, 20, 29):
         tri = random.integers(0, 3, (90, 3)) + (random.integers(0, 3, (90, 3)) << shift)
