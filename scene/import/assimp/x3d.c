@@ -12,6 +12,7 @@
 #include "x3d_groups.h"
 #include "x3d_materials.h"
 
+#include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
@@ -160,8 +161,35 @@ static void tell_crease_angle(struct scene_import *import, char *tag, char *clos
     }
 }
 
+// Return how long a reference to a blank is, such as &#10; or &#xA;. Return 0 for another one, and for other text.
+static size_t blank_reference(const char *text)
+{
+    const bool is_hexadecimal = text[0] == '&' && text[1] == '#' && text[2] == 'x';
+    const char *const digits = text + 2 + is_hexadecimal;
+    if (text[0] != '&' || text[1] != '#' || !isxdigit((unsigned char)*digits)) {
+        return 0;
+    }
+    char *end;
+    const unsigned long code = strtoul(digits, &end, is_hexadecimal ? 16 : 10);
+    const bool is_blank = *end == ';' && code < 128 && scene_collada_is_blank((char)code);
+    return is_blank ? (size_t)(end + 1 - text) : 0;
+}
+
+// Write references to blanks, between which numbers of lists may stand, as blanks.
+static void write_blanks(char *text, size_t *size)
+{
+    size_t length = 0, reference;
+    for (size_t i = 0; i<*size; i += reference> 0 ? reference : 1) {
+        reference = blank_reference(text + i);
+        text[length++] = reference > 0 ? ' ' : text[i];
+    }
+    text[length] = 0;
+    *size = length;
+}
+
 static char *write_tags(struct scene_import *import, char *source, size_t *size)
 {
+    write_blanks(source, size);
     char *const text =
         scene_assimp_repeat_groups(import, scene_assimp_hide_proxies(import, source, size), size);
     struct scene_edits edits = {0};

@@ -68,16 +68,6 @@ static void write_tuple(struct out *out, const struct scene_x3d_part *part, size
     }
 }
 
-// Return which tuple of a part belongs to a corner of a face. Return SIZE_MAX where none does.
-static size_t tuple_of(const struct scene_x3d_set *set, const struct scene_x3d_part *part, size_t corner,
-                       size_t face)
-{
-    if (part->is_of_faces) {
-        return part->index.count == 0 ? face : scene_x3d_index_at(&part->index, face);
-    }
-    return scene_x3d_index_at(part->index.count == 0 ? &set->index : &part->index, corner);
-}
-
 // Write what all points of a set have of one property, without that behind the last one.
 static void write_tuples(struct out *out, const struct scene_x3d_set *set, enum scene_x3d_purpose purpose,
                          size_t width)
@@ -93,7 +83,7 @@ static void write_tuples(struct out *out, const struct scene_x3d_set *set, enum 
         if (corner == SIZE_MAX) {
             face++;
         } else {
-            write_tuple(out, part, width, tuple_of(set, part, corner, set->corners.faces[face]));
+            write_tuple(out, part, width, scene_x3d_tuple_of(set, part, corner, set->corners.faces[face]));
         }
     }
 }
@@ -170,6 +160,27 @@ static void write_start(struct out *out, const struct scene_x3d_set *set)
     }
 }
 
+// Write the tag of a part that is not used, and its end, as those of a node that assimp passes over.
+static void leave_out_part(struct scene_import *import, struct scene_edits *edits, const char *text,
+                           const struct scene_x3d_set *set, const struct scene_x3d_part *part)
+{
+    const size_t length = strlen(part->property->name);
+    scene_edits_add_string(import, edits, (size_t)(part->tag + 1 - text), length, LEFT);
+    char *tag = part->close[-1] == '/' ? NULL : strchr(part->close, '<');
+    while (tag != NULL && !scene_collada_is_end(tag, part->property->name)) {
+        tag = scene_collada_is_end(tag, set->kind->name) ? NULL : strchr(tag + 1, '<');
+    }
+    if (tag != NULL) {
+        scene_edits_add_string(import, edits, (size_t)(tag + 2 - text), length, LEFT);
+    }
+}
+
+// A normal that is lacking is made, and its tag says how.
+static bool is_left(const struct scene_x3d_part *part)
+{
+    return part->is_lacking && part->property->purpose != SCENE_X3D_NORMALS;
+}
+
 // Write a set and what belongs to its corners. Return false if all would become too large.
 static bool write_set(struct scene_import *import, struct scene_edits *edits, struct scene_x3d_faces *faces,
                       const char *text, const struct scene_x3d_set *set)
@@ -182,7 +193,7 @@ static bool write_set(struct scene_import *import, struct scene_edits *edits, st
         *out = (struct out){.import = import, .most = room};
         if (i == 0) {
             write_start(out, set);
-        } else if (set->parts[i - 1].tag != NULL) {
+        } else if (set->parts[i - 1].tag != NULL && !is_left(&set->parts[i - 1])) {
             write_property(out, set, (enum scene_x3d_purpose)(i - 1));
         }
         is_full = out->is_full;
@@ -198,6 +209,8 @@ static bool write_set(struct scene_import *import, struct scene_edits *edits, st
             scene_edits_add(import, edits,
                             (struct scene_edit){(size_t)(tag - text), (size_t)(close - tag) + 1, outs[i].text,
                                                 outs[i].size});
+        } else if (i > 0 && is_left(&set->parts[i - 1])) {
+            leave_out_part(import, edits, text, set, &set->parts[i - 1]);
         }
     }
     return !is_full;
@@ -270,8 +283,19 @@ static const char *write_first(struct scene_import *import, struct scene_edits *
     } else if (set->parts[SCENE_X3D_POINTS].property != NULL &&
                set->parts[SCENE_X3D_POINTS].list.text == NULL) {
         scene_import_unsupported(import, "sets of points that are not there (X3D): not drawn");
+    } else if (scene_x3d_is_grid(set->kind) &&
+               scene_collada_attribute(set->tag, set->close, "height").length > 0) {
+        scene_import_unsupported(import, "grids without all of their heights (X3D): not drawn");
     }
     return leave_out(import, edits, faces, at, set);
+}
+
+static const char *before_blanks(const char *text)
+{
+    while (scene_collada_is_blank(text[-1])) {
+        text--;
+    }
+    return text;
 }
 
 // Keep the list of a property by its name. Write one that is used again in full, as that of a set that was written is
@@ -296,7 +320,8 @@ static void write_list(struct scene_import *import, struct scene_edits *edits, s
         write_string(&out, "='");
         write_bytes(&out, list.text, list.length);
         write_string(&out, "'");
-        char *const first = strstr(tag, "USE");
+        const char *first = before_blanks(use.text - 1) - 1; // the = before the value
+        first = before_blanks(first) - strlen("USE");
         scene_edits_add(import, edits,
                         (struct scene_edit){(size_t)(first - text),
                                             (size_t)(use.text + use.length + 1 - first), out.text, out.size});
@@ -318,15 +343,17 @@ bool scene_assimp_write_faces(struct scene_import *import, struct scene_edits *e
         return property != NULL;
     }
     if (is_end) {
-        if (faces->end_name != NULL) {
+        if (faces->open > 0 && --faces->open == 0 && faces->end_name != NULL) {
             scene_edits_add_string(import, edits, (size_t)(tag + 2 - text), strlen(kind->name),
                                    faces->end_name);
         }
         return true;
     }
     struct scene_x3d_set set = {.kind = kind, .tag = tag, .close = close};
-    const char *const end_name = write_first(import, edits, faces, text, &set, end);
-    faces->end_name = close[-1] == '/' ? faces->end_name : end_name;
+    const char *const end_name = faces->open == 0 ? write_first(import, edits, faces, text, &set, end) : NULL;
+    if (close[-1] != '/' && faces->open++ == 0) {
+        faces->end_name = end_name;
+    }
     scene_x3d_free_set(&set);
     return true;
 }

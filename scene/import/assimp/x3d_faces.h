@@ -14,7 +14,8 @@ struct scene_x3d_faces {
     size_t written, largest; ///< bytes of all sets that were written, and how many they may be
     size_t read, most_read;  ///< bytes of their lists, as often as one was read, and how many they may be
     size_t end;              ///< where the set ends that was written last
-    const char *end_name;    ///< what it is called at its end; NULL where it keeps its name
+    size_t open;             ///< the sets that are open; within another one none is written
+    const char *end_name;    ///< what the outermost is called at its end; NULL where it keeps its name
     struct scene_x3d_names
         lists; ///< points, normals, colours and texture coordinates: where their numbers stand
     struct scene_x3d_names sets; ///< their size is 1 where the set was written, and 0 where it was left out

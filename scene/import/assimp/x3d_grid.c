@@ -29,14 +29,18 @@ bool scene_x3d_read_grid(struct scene_import *import, char *tag, char *close, st
     const double wide = number_of(tag, close, "xSpacing", 1), deep = number_of(tag, close, "zSpacing", 1);
     struct scene_x3d_numbers heights =
         scene_x3d_read_numbers(import, scene_collada_attribute(tag, close, "height"));
-    const bool is_whole = columns > 0 && rows > 0 && heights.count / columns >= rows;
+    size_t length = 0;
+    bool is_whole = columns > 0 && rows > 0 && heights.count / columns >= rows;
+    for (size_t i = 0; is_whole && i < columns * rows; i++) {
+        const struct scene_collada_value height = heights.list[i];
+        const char *const end = height.text + height.length;
+        double number;
+        is_whole = scene_decimal_read(height.text, end, &number) == end;
+        length += height.length;
+    }
     if (is_whole) {
-        size_t longest = 0;
-        for (size_t i = 0; i < heights.count; i++) {
-            longest = heights.list[i].length > longest ? heights.list[i].length : longest;
-        }
         char *point = grid->points =
-            scene_import_allocate_any(import, columns * rows, 2 * LONGEST + longest + 1);
+            scene_import_allocate_any(import, columns * rows + length / (2 * LONGEST) + 1, 2 * LONGEST + 1);
         char *place = grid->places = scene_import_allocate_any(import, columns * rows, 2 * LONGEST);
         for (size_t i = 0; i < columns * rows; i++) {
             const double x = (double)(i % columns), z = (double)(i / columns);

@@ -11,7 +11,7 @@ struct scene_x3d_grid {
 };
 
 /// Read the ElevationGrid whose tag ends at `close`. Return false, with nothing in `grid`, if it has no quads, or fewer
-/// heights than points. Free what it has.
+/// heights than points, or heights that are no numbers. Free what it has.
 bool scene_x3d_read_grid(struct scene_import *import, char *tag, char *close, struct scene_x3d_grid *grid);
 
 #endif

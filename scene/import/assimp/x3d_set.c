@@ -61,7 +61,7 @@ bool scene_x3d_is_lines(const struct scene_x3d_kind *kind)
     return kind->order == SCENE_X3D_LINES;
 }
 
-static bool is_grid(const struct scene_x3d_kind *kind)
+bool scene_x3d_is_grid(const struct scene_x3d_kind *kind)
 {
     return kind->has_crease_angle && kind->index == NULL;
 }
@@ -112,7 +112,7 @@ const char *scene_x3d_find_parts(const struct scene_x3d_names *lists, const char
     const size_t length = strlen(set->kind->name);
     char *close = set->close;
     if (close[-1] == '/') {
-        return is_grid(set->kind) ? close : NULL;
+        return scene_x3d_is_grid(set->kind) ? close : NULL;
     }
     for (char *tag = strchr(close, '<'); tag != NULL; tag = strchr(close, '<')) {
         if (strncmp(tag + 1 + (tag[1] == '/'), set->kind->name, length) == 0) {
@@ -148,6 +148,29 @@ static struct scene_x3d_indices read_index(struct scene_import *import, const st
     return scene_x3d_count_up(import, counts, points);
 }
 
+size_t scene_x3d_tuple_of(const struct scene_x3d_set *set, const struct scene_x3d_part *part, size_t corner,
+                          size_t face)
+{
+    if (part->is_of_faces) {
+        return part->index.count == 0 ? face : scene_x3d_index_at(&part->index, face);
+    }
+    return scene_x3d_index_at(part->index.count == 0 ? &set->index : &part->index, corner);
+}
+
+static bool is_lacking(const struct scene_x3d_set *set, const struct scene_x3d_part *part)
+{
+    const size_t tuples = part->numbers.count / part->property->width;
+    bool is_whole = true;
+    size_t face = 0;
+    for (size_t i = 0; i < set->corners.count && is_whole; i++) {
+        const size_t corner = set->corners.list[i];
+        face += corner == SIZE_MAX;
+        is_whole =
+            corner == SIZE_MAX || scene_x3d_tuple_of(set, part, corner, set->corners.faces[face]) < tuples;
+    }
+    return !is_whole;
+}
+
 // Read how a set counts what belongs to its corners.
 static void read_ways(struct scene_import *import, struct scene_x3d_set *set)
 {
@@ -174,6 +197,13 @@ static void read_ways(struct scene_import *import, struct scene_x3d_set *set)
         if (!part->is_of_faces && scene_x3d_same_indices(&part->index, &set->index)) {
             part->index.count = 0;
         }
+        part->is_lacking = is_lacking(set, part);
+        if (part->is_lacking) {
+            part->numbers.count = 0;
+            scene_import_unsupported(
+                import, "normals, colours and texture coordinates that some corners lack (X3D): not used");
+            continue;
+        }
         set->is_parted = set->is_parted || part->is_of_faces || part->index.count > 0 ||
                          part->numbers.count / part->property->width != points;
     }
@@ -194,7 +224,7 @@ static void tell_short(struct scene_import *import, const struct scene_x3d_set *
 
 enum scene_x3d_found scene_x3d_read_set(struct scene_import *import, struct scene_x3d_set *set)
 {
-    if (is_grid(set->kind)) {
+    if (scene_x3d_is_grid(set->kind)) {
         add_grid(import, set);
     }
     if (set->parts[SCENE_X3D_POINTS].list.text == NULL) {
@@ -205,7 +235,7 @@ enum scene_x3d_found scene_x3d_read_set(struct scene_import *import, struct scen
     }
     const size_t points = set->parts[SCENE_X3D_POINTS].numbers.count / 3;
     const bool is_turned = is_false(scene_collada_attribute(set->tag, set->close, "ccw"));
-    set->index = is_grid(set->kind) ? set->grid.index : read_index(import, set, points);
+    set->index = scene_x3d_is_grid(set->kind) ? set->grid.index : read_index(import, set, points);
     const enum scene_x3d_found found =
         scene_x3d_find_corners(import, &set->index, set->kind->order, is_turned, points, &set->corners);
     tell_short(import, set, found);

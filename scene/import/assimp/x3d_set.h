@@ -40,6 +40,7 @@ struct scene_x3d_part {
     struct scene_x3d_indices
         index; ///< none where it goes by the indices of the points, or by the order of faces
     bool is_of_faces;
+    bool is_lacking; ///< some corners have none of it, so that it is not used
 };
 
 struct scene_x3d_set {
@@ -58,6 +59,7 @@ const struct scene_x3d_property *scene_x3d_find_property(const char *tag);
 const struct scene_x3d_kind *scene_x3d_find_kind(const char *tag);
 bool scene_x3d_is_quads(const struct scene_x3d_kind *kind);
 bool scene_x3d_is_lines(const struct scene_x3d_kind *kind);
+bool scene_x3d_is_grid(const struct scene_x3d_kind *kind);
 /// Return the list of a property, or of the one of `lists` that it uses again, which count from `text`. Its text is
 /// NULL where there is none that can be written between quotation marks.
 struct scene_collada_value scene_x3d_list_of(const struct scene_x3d_names *lists, const char *text, char *tag,
@@ -65,7 +67,10 @@ struct scene_collada_value scene_x3d_list_of(const struct scene_x3d_names *lists
 /// Find the parts of a set. Return where it ends, or NULL where that is not known.
 const char *scene_x3d_find_parts(const struct scene_x3d_names *lists, const char *text,
                                  struct scene_x3d_set *set, const char *end);
-/// Read a set whose parts are found. Return what it has.
+/// Return which tuple of a part belongs to a corner of a face. Return SIZE_MAX where none does.
+size_t scene_x3d_tuple_of(const struct scene_x3d_set *set, const struct scene_x3d_part *part, size_t corner,
+                          size_t face);
+/// Read a set whose parts are found. Return what it has. Tell of parts that lack some of what its corners have.
 enum scene_x3d_found scene_x3d_read_set(struct scene_import *import, struct scene_x3d_set *set);
 void scene_x3d_free_set(const struct scene_x3d_set *set);
 

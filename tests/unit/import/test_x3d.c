@@ -12,6 +12,8 @@
     "<Coordinate point='0 0 0 1 0 0 0 1 0'/><TextureCoordinate point='0 0 1 0 0 "          \
     "1'/></IndexedFaceSet></Shape>"
 
+#define LACKING "normals, colours and texture coordinates that some corners lack (X3D): not used"
+
 // Lists of addresses as X3D writes them, of which the first that is there counts.
 static void test_addresses(void **state)
 {
@@ -182,6 +184,28 @@ static void test_nodes(void **state)
         {"<Shape><TriangleStripSet stripCount='3 2'><Coordinate point='0 0 0 1 0 0 0 1 0 2 0 0 2 1 0'/>"
          "</TriangleStripSet></Shape>",
          2, "faces of fewer than three corners (X3D): left out"},
+        {"<Shape><ElevationGrid xDimension='2' zDimension='2' height=\"0 ' 1 1\"/></Shape>", 1,
+         "grids without all of their heights (X3D): not drawn"},
+        {"<Shape><ElevationGrid xDimension='2' zDimension='2' height='0 0 1'/></Shape>", 1,
+         "grids without all of their heights (X3D): not drawn"},
+        {"<Shape><IndexedFaceSet coordIndex='0 1 2 -1'><Coordinate point='0 0 0 1 0 0 0 1 0'/>"
+         "<Color USE='gone'/></IndexedFaceSet></Shape>",
+         2, LACKING},
+        {"<Shape><IndexedFaceSet coordIndex='0 1 2 -1'><Color color='1 0 0 0 1 0'><!-- </x> --></Color >"
+         "<Coordinate point='0 0 0 1 0 0 0 1 0'/></IndexedFaceSet></Shape>" SHAPE(""),
+         3, LACKING},
+        {"<Shape><IndexedFaceSet coordIndex='0 1 2 -1' normalIndex='0 0 7 -1'><Normal vector='0 0 1'/>"
+         "<Coordinate point='0 0 0 1 0 0 0 1 0'/></IndexedFaceSet></Shape>",
+         2, LACKING},
+        {"<Shape><IndexedFaceSet coordIndex='0 1 2 -1'><TextureCoordinate/>"
+         "<Coordinate point='0 0 0 1 0 0 0 1 0'/></IndexedFaceSet></Shape>",
+         2, LACKING},
+        {"<Shape><IndexedFaceSet coordIndex='0 1'><IndexedLineSet coordIndex='0 1'></IndexedLineSet>"
+         "</IndexedFaceSet></Shape>" SHAPE(""),
+         2, NULL},
+        {"<Shape><IndexedFaceSet coordIndex='0 1 2'><Coordinate DEF='c' point='0 0 0 1 0 0 0 1 0'/>"
+         "</IndexedFaceSet></Shape><Shape><PointSet><Coordinate class='REUSED' USE='c'/></PointSet></Shape>",
+         2, NULL},
         {"<Shape><IndexedFaceSet DEF='f' coordIndex='0 1 2'><Coordinate USE='none'/></IndexedFaceSet></Shape>"
          "<Shape><IndexedFaceSet USE='f'/></Shape>",
          1, "sets of points that are not there (X3D): not drawn"},
@@ -560,6 +584,21 @@ static void test_corners(void **state)
     }
 }
 
+// A set whose colours are too few has none, which is not black, and a reference to a blank parts numbers.
+static void test_lacking_colors(void **state)
+{
+    (void)state;
+    struct scene_model *const model = load_text(
+        "k.x3d", "<X3D><Scene><Shape><IndexedFaceSet coordIndex='0 1 2 -1 &#10;0&#xA;2&#x0d;3&#9;-1'>"
+                 "<Coordinate point='0 0 0 1 0 0 1 1 0&#32;0 1 0'/><Color color='1 0 0 0 1 0'/>"
+                 "</IndexedFaceSet></Shape></Scene></X3D>");
+    assert_int_equal(model->triangles_drawn, 2);
+    assert_true(is_unsupported(model, LACKING));
+    assert_int_equal(model->unsupported_count, 1);
+    assert_null(model->meshes[0].colors);
+    scene_model_free(model);
+}
+
 // Points of a set of faces are those of lines too, which use them again.
 static void test_points_of_faces(void **state)
 {
@@ -616,6 +655,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_quads_of_the_same_points),
     cmocka_unit_test(test_few_of_many_points),
     cmocka_unit_test(test_corners),
+    cmocka_unit_test(test_lacking_colors),
     cmocka_unit_test(test_points_of_faces),
     cmocka_unit_test(test_lines),
 };
