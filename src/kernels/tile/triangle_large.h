@@ -12,6 +12,7 @@
 #include "kernels/depth/stencil_block.h"
 #include "kernels/depth/depth_range.h"
 #include "span_blocks.h"
+#include "triangle_planes.h"
 #include "triangle_whole.h"
 
 // Blocks -----------------------------------------------------------------------------------------------
@@ -277,9 +278,11 @@ static void draw_any(struct tile_work *work, struct triangle_work *triangle)
     if (coverage.count == 0) {
         return;
     }
-    if (takes_whole_tile(work) && covers_tile(&coverage) && !(triangle->t->flags & RHW_TRIANGLE_RECTANGLE) &&
-        draw_whole_tile(work, triangle)) {
-        return;
+    if (takes_whole_tile(work) && covers_tile(&coverage) && !(triangle->t->flags & RHW_TRIANGLE_RECTANGLE)) {
+        set_planes(work, triangle);
+        if (draw_whole_tile(work, triangle)) {
+            return;
+        }
     }
     if (knows_ranges(work)) {
         draw_whole_blocks(work, triangle, &coverage);

@@ -11,6 +11,7 @@
 #include "kernels/fragment/constant_color.h"
 #include "kernels/depth/stencil_block.h"
 #include "sampled_block.h"
+#include "triangle_planes.h"
 #include "triangle_whole.h"
 
 // Set all but depths and samples of the block, as its pixels are at sample s. If s is −1, they are at their centres.
@@ -343,8 +344,11 @@ static void draw_any_samples(struct tile_work *work, struct triangle_work *trian
     if (is_whole && !wide_edges_set(&wide, work, triangle->t)) {
         return;
     }
-    if (is_whole && wide.count == 0 && takes_whole_tile(work) && draw_whole_tile(work, triangle)) {
-        return;
+    if (is_whole && wide.count == 0 && takes_whole_tile(work)) {
+        set_planes(work, triangle);
+        if (draw_whole_tile(work, triangle)) {
+            return;
+        }
     }
     struct coverage coverage[RHW_MAX_SAMPLES];
     bool reaches = false;

@@ -6,7 +6,6 @@
 
 #include "kernels/fragment/expand.h"
 #include "kernels/tile_units.h"
-#include "triangle_planes.h"
 
 // Return true if every sample of the tile is open, when triangles are drawn backwards.
 RHW_INLINE bool is_all_open(const struct tile_work *work)
@@ -47,11 +46,10 @@ static void expand_tile(const struct tile_work *work)
     }
 }
 
-// Draw a triangle that covers the tile all over, of a draw that takes_whole_tile is true for. Return false if the
-// triangle takes the path of any other.
+// Draw a triangle that covers the tile all over and whose planes are set, of a draw that takes_whole_tile is true for.
+// Return false if the triangle takes the path of any other.
 static __attribute__((noinline)) bool draw_whole_tile(struct tile_work *work, struct triangle_work *triangle)
 {
-    set_planes(work, triangle);
     if (triangle->planes.kind != PLANES_LINEAR || triangle->clipped) {
         return false;
     }
