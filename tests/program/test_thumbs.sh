@@ -135,15 +135,34 @@ cp cube.obj cube.mtl among
 cp among/cube.obj among/other.obj
 echo mine >outside/mine
 ln -s ../outside/mine among/cube.obj.png
-ln -s third among/other.obj.png
-echo "not newer" >among/third
-touch -d '1 hour ago' outside/mine among/third
+ln -s third.png among/other.obj.png
+echo "not newer" >among/third.png
+touch -d '1 hour ago' outside/mine among/third.png
 run thumbs among -o among --size 16
 check "a link out: status" test "$status" = 1
 check "a link out: the others" grep -q "^1 drawn, 0 kept, 1 failed$" "$folder/log/out"
 check "a link out: a line" grep -q "^rhw: among/cube.obj.png: is a link out of among; no picture is written there$" "$folder/log/err"
 check "a link out: what it leads to" grep -q '^mine$' outside/mine
-check "a link within" test "$(size_of among/third)" = 16x16
+check "a link within" test "$(size_of among/third.png)" = 16x16
+
+# A link to a model is no place for a picture either, nor is a folder that leads out.
+mkdir -p pack/sub/deep pack/thumbs
+cp cube.obj cube.mtl pack
+cp cube.obj cube.mtl pack/sub
+cp cube.obj cube.mtl pack/sub/deep
+ln -s ../cube.obj pack/thumbs/cube.obj.png
+ln -s ../../outside pack/thumbs/sub
+run thumbs pack -o pack/thumbs --size 16 --force
+check "a folder that leads out: status" test "$status" = 1
+check "a folder that leads out: a line" grep -q "^rhw: pack/thumbs/sub: is a link out of pack/thumbs; no picture is written there$" "$folder/log/err"
+check "a folder that leads out: nothing in it" test "$(ls outside)" = mine
+ln -sf cube.obj pack/other.obj.png
+cp cube.obj pack/other.obj
+rm -r pack/sub
+run thumbs pack -o pack --size 16 --force
+check "a link to a model: a line" grep -q "^rhw: pack/other.obj.png: is a link to a file that is no .png; no picture is written there$" "$folder/log/err"
+check "a link to a model: the model" cmp cube.obj pack/cube.obj
+check "a link to a model: the others" test "$(size_of pack/cube.obj.png)" = 16x16
 
 refuse 2 "thumbs: -o OUT is missing" thumbs in
 refuse 2 "--out: '': a folder needs a name" thumbs in -o ''

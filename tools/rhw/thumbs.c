@@ -162,8 +162,28 @@ static bool is_within(const char *path, const char *folder)
     return within;
 }
 
-// Whether no picture is to be written there. A pipe would be waited for, to read it and to write it. A link that leads
-// out of OUT came with the models, where OUT lies among them, and may lead to a file that is none of theirs.
+// Whether a path, of a file or of a folder, is a link out of OUT, which is told. It came with the models, where OUT
+// lies among them, and may lead to what is none of theirs.
+static bool is_link_out(const struct thumbs *t, const char *path)
+{
+    const bool is_out = system_file_is_link(path) && !is_within(path, t->out);
+    if (is_out) {
+        cli_error(path, "is a link out of %s; no picture is written there", t->out);
+    }
+    return is_out;
+}
+
+static bool is_png(const char *file)
+{
+    char *const target = system_file_resolve(file);
+    const char *const dot = target ? strrchr(target, '.') : NULL;
+    const bool is_ending = dot && strcasecmp(dot, ".png") == 0;
+    free(target);
+    return is_ending;
+}
+
+// Whether no picture is to be written there. A pipe would be waited for, to read it and to write it. A link may lead to
+// a model.
 static bool is_taken(const struct thumbs *t, const char *picture)
 {
     struct stat status;
@@ -174,8 +194,11 @@ static bool is_taken(const struct thumbs *t, const char *picture)
         cli_error(picture, "is there and is no regular file; no picture is written there");
         return true;
     }
-    if (system_file_is_link(picture) && !is_within(picture, t->out)) {
-        cli_error(picture, "is a link out of %s; no picture is written there", t->out);
+    if (is_link_out(t, picture)) {
+        return true;
+    }
+    if (system_file_is_link(picture) && !is_png(picture)) {
+        cli_error(picture, "is a link to a file that is no .png; no picture is written there");
         return true;
     }
     return false;
@@ -306,6 +329,10 @@ static bool visit(struct thumbs *t, const char *in, const char *out, const char 
         return true;
     }
     if (is_folder) {
+        if (is_link_out(t, picture)) {
+            t->failed++;
+            return true;
+        }
         return walk(t, model, picture, depth + 1);
     }
     return make_folder(out) && start(t, model, picture, depth);
