@@ -313,8 +313,8 @@ static void start_object(struct obj *obj, const char *name)
     obj->first_part = obj->part_count;
 }
 
-// Move a backslash in front of a blank out of the way, so that the blank is part of the name.
-static const char *library_name(struct obj *obj, struct scene_word word)
+// Move a backslash in front of a blank out of the way, so that the blank is part of the name, which is to be freed.
+static char *library_name(struct obj *obj, struct scene_word word)
 {
     char *name = scene_import_allocate(obj->import, word.length + 1, 1), *out = name;
     for (size_t i = 0; i < word.length; i++) {
@@ -350,19 +350,27 @@ static bool ends_in_mtl(struct scene_word word)
 
 static bool has_library(struct obj *obj, struct scene_word name)
 {
-    return scene_import_find_file(obj->import, library_name(obj, name)) != NULL;
+    char *const file = library_name(obj, name);
+    const bool is_there = scene_import_find_file(obj->import, file) != NULL;
+    free(file);
+    return is_there;
 }
 
-// Let a name go on over blanks to the next word that ends in .mtl, unless there is a library of either word's name.
+// Let a name go on over blanks to the next word that ends in .mtl, unless there is a library of its own name, or one of
+// the last word's name and none of the whole. Each word looks ahead, so it does so for a few words alone.
 static void join_words(struct obj *obj, struct scene_word *name, struct scene_line *line)
 {
+    enum { MOST_WORDS = 64, LONGEST = 1024 };
     struct scene_line ahead = *line;
-    struct scene_word last = *name;
-    while (!ends_in_mtl(last) && scene_text_word(&ahead, &last)) {
+    struct scene_word last = *name, whole = *name;
+    for (int i = 1; i < MOST_WORDS && whole.length < LONGEST && !ends_in_mtl(last); i++) {
+        if (!scene_text_word(&ahead, &last)) {
+            break;
+        }
+        whole.length = (size_t)(last.start + last.length - name->start);
     }
-    const struct scene_word whole = {name->start, (size_t)(last.start + last.length - name->start)};
-    if (whole.length > name->length && ends_in_mtl(last) && !has_library(obj, *name) &&
-        (has_library(obj, whole) || !has_library(obj, last))) {
+    if (whole.length > name->length && whole.length <= LONGEST && ends_in_mtl(last) &&
+        !has_library(obj, *name) && (has_library(obj, whole) || !has_library(obj, last))) {
         *name = whole;
         *line = ahead;
     }
@@ -371,10 +379,14 @@ static void join_words(struct obj *obj, struct scene_word *name, struct scene_li
 // Read what follows mtllib: one name, maybe with blanks in it, or several names.
 static void read_libraries(struct obj *obj, struct scene_line line)
 {
-    const char *whole = library_name(obj, scene_text_rest(line));
+    char *const whole = library_name(obj, scene_text_rest(line));
     struct scene_word name, more;
-    if (scene_import_find_file(obj->import, whole) != NULL) {
+    const bool is_one = scene_import_find_file(obj->import, whole) != NULL;
+    if (is_one) {
         obj->libraries_complete = scene_mtl_read(obj->import, &obj->mtl, whole) && obj->libraries_complete;
+    }
+    free(whole);
+    if (is_one) {
         return;
     }
     while (scene_text_word(&line, &name)) {
@@ -382,7 +394,9 @@ static void read_libraries(struct obj *obj, struct scene_line line)
             name.length = (size_t)(more.start + more.length - name.start);
         }
         join_words(obj, &name, &line);
-        const bool found = read_library(obj, library_name(obj, name));
+        char *const file = library_name(obj, name);
+        const bool found = read_library(obj, file);
+        free(file);
         obj->libraries_complete = obj->libraries_complete && found;
     }
 }

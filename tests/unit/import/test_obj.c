@@ -479,6 +479,14 @@ static void test_libraries(void **state)
         }
         scene_model_free(model);
     }
+    char line[2 * 70 + 16] = ""; // too many words for one name
+    for (int i = 0; i < 70; i++) {
+        strcat(line, "w ");
+    }
+    write_format("l.obj", "mtllib %sgone.mtl\n" TRIANGLE, line);
+    struct scene_model *const model = load("l.obj");
+    assert_true(has_warning(model, "material library \"w\""));
+    scene_model_free(model);
 }
 
 static const struct CMUnitTest tests[] = {
