@@ -8,6 +8,7 @@
 #include <string.h>
 #include <strings.h>
 
+// Signatures of PGP end in .asc, so that a cloud of points that does is left out.
 bool cli_thumb_is_model(const char *name)
 {
     static const char *const endings[] = {

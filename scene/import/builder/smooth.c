@@ -398,7 +398,8 @@ void scene_import_make_smooth(struct scene_import *import, struct scene_mesh *me
     const uint32_t vertices = mesh->vertex_count;
     struct smoothing smoothing = {
         .mesh = mesh, .crease_cosine = usual_crease_cosine, .even_cosine = usual_even_cosine};
-    if (import->has_creases) { // half the angle between them
+    // The axis of faces that all meet within the angle is at most half of it away from each.
+    if (import->has_creases) {
         smoothing.crease_cosine = import->crease_cosine;
         smoothing.even_cosine = sqrt((1 + import->crease_cosine) / 2);
     }

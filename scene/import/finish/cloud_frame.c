@@ -5,7 +5,13 @@
 
 #include "draw/camera/camera_math.h"
 
-enum { BINS = 1024, ROUNDS = 4, LEAST = 1000 };
+// A cloud whose strays are a thousand times as far away as it is long is all in a few of the bins, into which the next
+// round looks.
+enum { BINS = 1024, ROUNDS = 4 };
+// Two of 1000 are less than two points of a smaller cloud, whose one stray the search for specks finds.
+enum { LEAST = 1000 };
+// More points may be a part of what is shown, such as a mast or a wire, and points that are left out for a picture in
+// which the others are hardly larger are missed.
 static const double stray_share = 0.002, shorter = 0.6;
 
 struct counts {
@@ -79,11 +85,14 @@ bool scene_cloud_frame_trim(const struct scene_model *model, struct scene_box *f
 {
     bool is_trimmed = false;
     for (int round = 0; round < ROUNDS && is_cloud(model); round++) {
-        struct counts counts = {.all = 0};
+        struct counts counts = {.all = 0}, again = {.all = 0};
         look(model, frame, frame, &counts);
+        if (counts.all < LEAST) {
+            break;
+        }
         const struct scene_box kept = without_ends(frame, &counts);
-        const struct scene_box bounds = look(model, frame, &kept, &counts);
-        if (counts.all < 2 * LEAST || !(bounds.low[0] <= bounds.high[0]) ||
+        const struct scene_box bounds = look(model, frame, &kept, &again);
+        if (!(bounds.low[0] <= bounds.high[0]) ||
             scene_box_longest(&bounds) >= shorter * scene_box_longest(frame)) {
             break;
         }

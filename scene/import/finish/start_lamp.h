@@ -5,8 +5,8 @@
 
 #include "import/builder/import.h"
 
-/// Leave out the lamp of Blender's start file where the file's first camera gives way, and tell it. Both were there
-/// before the model was, and light and show a cube of 2 units.
+/// Leave out the lamp of Blender's start file where the file's first camera gives way at 16:9, and tell it. Both were
+/// there before the model was, and light and show a cube of 2 units.
 void scene_import_drop_start_lamp(struct scene_import *import);
 
 #endif
