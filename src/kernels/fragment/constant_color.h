@@ -9,19 +9,20 @@
 #include "blend.h"
 #include "expand.h"
 
-// Put 8 texels of `size` bytes into each row of a block. They are loaded once: as far as a compiler knows, each store
-// into the tile may change them.
-RHW_INLINE void fill_rows_of_block(unsigned char *texels, const unsigned char *constant, size_t size)
+// Put 8 texels of `size` bytes into `count` places that are `stride` bytes apart. They are loaded once: as far as a
+// compiler knows, each store into the tile may change them.
+RHW_INLINE void repeat_texels(unsigned char *texels, const unsigned char *constant, size_t size, int count,
+                              size_t stride)
 {
-    const size_t stride = RHW_TILE * size, bytes = RHW_LANES * size;
+    const size_t bytes = RHW_LANES * size;
     unsigned char small[16]; // bytes that are no whole vector: 8 or 16
     i32x8 vector[RHW_LANES * RHW_TEXEL_BYTES / sizeof(i32x8)];
     memcpy(small, constant, bytes < sizeof small ? bytes : sizeof small);
     for (size_t i = 0; i < bytes / sizeof *vector; i++) {
         vector[i] = i32x8_load(constant + i * sizeof *vector);
     }
-    for (int row = 0; row < RHW_BLOCK; row++) {
-        unsigned char *const to = texels + (size_t)row * stride;
+    for (int n = 0; n < count; n++) {
+        unsigned char *const to = texels + (size_t)n * stride;
         for (size_t i = 0; i < bytes / sizeof *vector; i++) {
             i32x8_store(to + i * sizeof *vector, vector[i]);
         }
@@ -31,13 +32,25 @@ RHW_INLINE void fill_rows_of_block(unsigned char *texels, const unsigned char *c
     }
 }
 
+// Put 8 texels of `size` bytes into each row of a block.
+RHW_INLINE void fill_constant_block(unsigned char *texels, const unsigned char *constant, size_t size)
+{
+    repeat_texels(texels, constant, size, RHW_BLOCK, RHW_TILE * size);
+}
+
+// Put 8 texels of `size` bytes into all of a tile.
+RHW_INLINE void fill_constant_tile(unsigned char *tile, const unsigned char *constant, size_t size)
+{
+    repeat_texels(tile, constant, size, RHW_TILE * RHW_TILE / RHW_LANES, RHW_LANES * size);
+}
+
 // Put 8 texels of `size` bytes into each row of a block, where `mask` is set.
 RHW_INLINE void replace_block(unsigned char *texels, const unsigned char *constant, uint64_t mask,
                               size_t size)
 {
     // If a draw is large, most of its blocks are covered all over.
     if (mask == ~(uint64_t)0) {
-        fill_rows_of_block(texels, constant, size);
+        fill_constant_block(texels, constant, size);
         return;
     }
     const size_t stride = RHW_TILE * size;
@@ -76,7 +89,7 @@ RHW_INLINE void blend_constant_sample(struct tile_work *work, int sample, int x,
         const size_t size = work->target->colors[t].texel_size;
         unsigned char *const texels = color_of_sample(scratch, t, sample) + (size_t)(y * RHW_TILE + x) * size;
         if (state->path == BLEND_RGBA8_REPLACE && mask == ~(uint64_t)0) {
-            fill_rows_of_block(texels, scratch->constant[t], 4);
+            fill_constant_block(texels, scratch->constant[t], 4);
             continue;
         }
         if (replaces_texels(state)) {
@@ -91,6 +104,40 @@ RHW_INLINE void blend_constant_sample(struct tile_work *work, int sample, int x,
 static void blend_constant(struct tile_work *work, int x, int y, uint64_t mask)
 {
     blend_constant_sample(work, 0, x, y, mask);
+}
+
+// Put 8 texels of `size` bytes into all of a tile.
+static __attribute__((noinline)) void fill_sized_tile(unsigned char *tile, const unsigned char *constant,
+                                                      size_t size)
+{
+    switch (size) {
+    case 1: fill_constant_tile(tile, constant, 1); break;
+    case 2: fill_constant_tile(tile, constant, 2); break;
+    case 4: fill_constant_tile(tile, constant, 4); break;
+    case 8: fill_constant_tile(tile, constant, 8); break;
+    default: fill_constant_tile(tile, constant, RHW_TEXEL_BYTES); break;
+    }
+}
+
+// Blend all pixels of the tile, where a pixel has one sample.
+static void blend_constant_tile(struct tile_work *work)
+{
+    struct rhw_tile_scratch *const scratch = work->scratch;
+    if (!work->constant_is_ready) {
+        RHW_ISA_NAME(rhw_prepare_constant)(work);
+    }
+    for (int t = 0; t < work->target->color_count; t++) {
+        const size_t size = work->target->colors[t].texel_size;
+        if (replaces_texels(&work->state->blend[t])) {
+            fill_sized_tile(scratch->color[t], scratch->constant[t], size);
+            continue;
+        }
+        for (int block = 0; block < HIZ_BLOCKS * HIZ_BLOCKS; block++) {
+            const int x = block % HIZ_BLOCKS * RHW_BLOCK, y = block / HIZ_BLOCKS * RHW_BLOCK;
+            RHW_ISA_NAME(rhw_blend_constant_block)
+            (work, t, scratch->color[t] + (size_t)(y * RHW_TILE + x) * size, ~(uint64_t)0);
+        }
+    }
 }
 
 // Blend the samples in `mask` of the block at (x, y). x and y are multiples of 8.

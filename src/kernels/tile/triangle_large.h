@@ -278,9 +278,16 @@ static void draw_any(struct tile_work *work, struct triangle_work *triangle)
     if (coverage.count == 0) {
         return;
     }
-    if (takes_whole_tile(work) && covers_tile(&coverage) && !(triangle->t->flags & RHW_TRIANGLE_RECTANGLE)) {
-        set_planes(work, triangle);
-        if (draw_whole_tile(work, triangle)) {
+    if (covers_tile(&coverage) && !(triangle->t->flags & RHW_TRIANGLE_RECTANGLE)) {
+        if (takes_whole_tile(work)) {
+            set_planes(work, triangle);
+            if (draw_whole_tile(work, triangle)) {
+                return;
+            }
+        }
+        if (takes_constant_tile(work)) {
+            blend_constant_tile(work);
+            end_whole_tile(work);
             return;
         }
     }

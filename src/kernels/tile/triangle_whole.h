@@ -36,6 +36,13 @@ RHW_INLINE bool takes_whole_tile(const struct tile_work *work)
             (work->phase == RHW_PHASE_BACKWARDS && plan->depth_mode == RHW_DEPTH_NONE && is_all_open(work)));
 }
 
+// Return true if a triangle of the draw that covers the tile all over has one colour in all of it.
+RHW_INLINE bool takes_constant_tile(const struct tile_work *work)
+{
+    return work->plan.shading == RHW_SHADING_CONSTANT && !work->plan.needs_depth && !work->is_scissored &&
+           (work->phase == RHW_PHASE_ONLY || (work->phase == RHW_PHASE_BACKWARDS && is_all_open(work)));
+}
+
 // Expand all blocks of the tile: each of their samples is about to be shaded.
 static void expand_tile(const struct tile_work *work)
 {
@@ -43,6 +50,18 @@ static void expand_tile(const struct tile_work *work)
         if (!(work->scratch->expanded >> block & 1)) {
             expand_block(work, block);
         }
+    }
+}
+
+// Count the fragments of a triangle that covers the tile all over. When triangles are drawn backwards, no sample is
+// open behind it.
+static void end_whole_tile(struct tile_work *work)
+{
+    work->counters->fragments += (uint64_t)work->samples * RHW_TILE * RHW_TILE;
+    for (int s = 0; s < work->samples && work->phase == RHW_PHASE_BACKWARDS; s++) {
+        struct tile_depth *const depth = depth_of_sample(work->scratch, s);
+        memset(depth->open, 0, sizeof depth->open);
+        depth->open_count = 0;
     }
 }
 
@@ -57,12 +76,7 @@ static __attribute__((noinline)) bool draw_whole_tile(struct tile_work *work, st
         expand_tile(work);
     }
     RHW_ISA_NAME(rhw_queue_tile)(work, triangle);
-    work->counters->fragments += (uint64_t)work->samples * RHW_TILE * RHW_TILE;
-    for (int s = 0; s < work->samples && work->phase == RHW_PHASE_BACKWARDS; s++) {
-        struct tile_depth *const depth = depth_of_sample(work->scratch, s);
-        memset(depth->open, 0, sizeof depth->open);
-        depth->open_count = 0;
-    }
+    end_whole_tile(work);
     return true;
 }
 

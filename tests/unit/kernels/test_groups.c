@@ -309,6 +309,56 @@ static void test_whole_tiles(void **state)
     rig_close(&rig);
 }
 
+static void one_color_fragment(struct rhw_fragment *groups, int count)
+{
+    for (int g = 0; g < count; g++) {
+        for (int c = 0; c < 4; c++) {
+            groups[g].color[0][c] = rhw_splat(0.2f + 0.1f * (float)c);
+        }
+    }
+}
+
+static void position_vertex(struct rhw_vertex *groups, int count)
+{
+    for (int g = 0; g < count; g++) {
+        memcpy(groups[g].position, groups[g].attribute[0], 4 * sizeof(rhw_float));
+    }
+}
+
+// A triangle of one colour is put into whole tiles at once: opaque, blended and masked, in texels of every size. Drawn in
+// parts of tiles it is put into blocks, and into parts of these.
+static void test_whole_tiles_of_one_color(void **state)
+{
+    (void)state;
+    enum { TILES = 256, FORMATS = 5 };
+    static const enum rhw_format formats[FORMATS] = {RHW_FORMAT_R8_UNORM, RHW_FORMAT_RG8_UNORM,
+                                                     RHW_FORMAT_RGBA8_UNORM, RHW_FORMAT_RGBA16_FLOAT,
+                                                     RHW_FORMAT_RGBA32_FLOAT};
+    static const float corners[3][2] = {{-300, -40}, {900, -100}, {100, 1500}};
+    for (int i = 0; i < 3 * FORMATS; i++) {
+        struct rig rig;
+        struct rig_vertex vertices[3];
+        rig_open(&rig, TILES, TILES);
+        rig_set_target(&rig, 0, formats[i % FORMATS]);
+        for (int k = 0; k < 3; k++) {
+            rig_place(&rig, corners[k][0], corners[k][1], 0.5f, 1, vertices[k].position);
+        }
+        rig_set_program(&rig, position_vertex, one_color_fragment);
+        memset(rig.pipeline.program.varyings, 0, sizeof rig.pipeline.program.varyings);
+        rig.pipeline.program.varying_count = 0;
+        rig.pipeline.targets[0].blend = i / FORMATS == 1;
+        rig.pipeline.targets[0].color.dst = RHW_BLEND_ONE;
+        rig.pipeline.targets[0].write_mask = i / FORMATS == 2 ? RHW_WRITE_RED : 0;
+        rig_draw_once(&rig, vertices, 3);
+        const uint64_t whole = rig_hash(&rig, 0);
+        draw_in_columns(&rig, vertices, TILES, 32);
+        assert_true(rig_hash(&rig, 0) == whole);
+        draw_in_columns(&rig, vertices, TILES, 4);
+        assert_true(rig_hash(&rig, 0) == whole);
+        rig_close(&rig);
+    }
+}
+
 // Return how many lanes of a group are live, in the mean, where right triangles with legs of some pixels stand side by
 // side, so that none is overtaken.
 static double live_lanes(struct rig *rig, float leg)
@@ -350,9 +400,9 @@ static void test_lanes_are_full(void **state)
 }
 
 static const struct CMUnitTest tests[] = {
-    cmocka_unit_test(test_together_as_one_by_one), cmocka_unit_test(test_the_same_in_8_bits),
-    cmocka_unit_test(test_moved_triangles),        cmocka_unit_test(test_whole_tiles),
-    cmocka_unit_test(test_lanes_are_full),
+    cmocka_unit_test(test_together_as_one_by_one),   cmocka_unit_test(test_the_same_in_8_bits),
+    cmocka_unit_test(test_moved_triangles),          cmocka_unit_test(test_whole_tiles),
+    cmocka_unit_test(test_whole_tiles_of_one_color), cmocka_unit_test(test_lanes_are_full),
 };
 
 const struct unit_tests test_groups = UNIT_TESTS(tests, NULL, NULL);
