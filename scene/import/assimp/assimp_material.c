@@ -10,6 +10,7 @@
 #include "import/builder/find_file.h"
 #include "import/builder/numbers.h"
 #include "import/builder/phong.h"
+#include "x3d_materials.h"
 
 const char *scene_assimp_string(struct scene_import *import, const struct aiString *string)
 {
@@ -342,7 +343,12 @@ uint32_t scene_assimp_material(struct scene_import *import, const struct aiScene
         scene_import_unsupported(import, "wire frames: drawn as surfaces");
     }
     const int shading = get_integer(&reader, "$mat.shadingm", aiShadingMode_Phong);
-    phong.unlit = shading == aiShadingMode_NoShading;
+    const bool is_x3d_unlit = phong.shininess == SCENE_X3D_UNLIT && strcasecmp(import->ending, "x3d") == 0;
+    if (is_x3d_unlit) {
+        phong.shininess = 0;
+        phong.described = true;
+    }
+    phong.unlit = is_x3d_unlit || shading == aiShadingMode_NoShading;
     phong.dull = shading == aiShadingMode_Gouraud;
     read_textures(&reader, &phong);
     return scene_phong_add(import, &phong);

@@ -66,3 +66,17 @@ struct scene_collada_value scene_collada_attribute(char *tag, char *close, const
     }
     return (struct scene_collada_value){0};
 }
+
+static const char *before_blanks(const char *text)
+{
+    while (scene_collada_is_blank(text[-1])) {
+        text--;
+    }
+    return text;
+}
+
+const char *scene_collada_name_end(struct scene_collada_value value)
+{
+    const char *const equals = before_blanks(value.text - 1) - 1;
+    return before_blanks(equals);
+}

@@ -23,5 +23,7 @@ bool scene_collada_is_tag(const char *tag, const char *name);
 bool scene_collada_is_end(const char *tag, const char *name);
 /// Return the value of an attribute of the tag that ends at `close`.
 struct scene_collada_value scene_collada_attribute(char *tag, char *close, const char *name);
+/// Return where the name of an attribute ends that has this value.
+const char *scene_collada_name_end(struct scene_collada_value value);
 
 #endif

@@ -178,10 +178,11 @@ static size_t blank_reference(const char *text)
 // Write references to blanks, between which numbers of lists may stand, as blanks.
 static void write_blanks(char *text, size_t *size)
 {
-    size_t length = 0, reference;
-    for (size_t i = 0; i<*size; i += reference> 0 ? reference : 1) {
-        reference = blank_reference(text + i);
+    size_t length = 0, i = 0;
+    while (i < *size) {
+        const size_t reference = blank_reference(text + i);
         text[length++] = reference > 0 ? ' ' : text[i];
+        i += reference > 0 ? reference : 1;
     }
     text[length] = 0;
     *size = length;

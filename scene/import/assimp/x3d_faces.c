@@ -162,13 +162,15 @@ static void write_start(struct out *out, const struct scene_x3d_set *set)
 
 // Write the tag of a part that is not used, and its end, as those of a node that assimp passes over.
 static void leave_out_part(struct scene_import *import, struct scene_edits *edits, const char *text,
-                           const struct scene_x3d_set *set, const struct scene_x3d_part *part)
+                           const struct scene_x3d_set *set, const struct scene_x3d_part *part,
+                           const char *end)
 {
     const size_t length = strlen(part->property->name);
     scene_edits_add_string(import, edits, (size_t)(part->tag + 1 - text), length, LEFT);
-    char *tag = part->close[-1] == '/' ? NULL : strchr(part->close, '<');
+    char *close = part->close, *tag = close[-1] == '/' ? NULL : strchr(close, '<');
     while (tag != NULL && !scene_collada_is_end(tag, part->property->name)) {
-        tag = scene_collada_is_end(tag, set->kind->name) ? NULL : strchr(tag + 1, '<');
+        close = scene_collada_is_end(tag, set->kind->name) ? NULL : scene_collada_markup_end(tag, end);
+        tag = close == NULL ? NULL : strchr(close, '<');
     }
     if (tag != NULL) {
         scene_edits_add_string(import, edits, (size_t)(tag + 2 - text), length, LEFT);
@@ -183,7 +185,7 @@ static bool is_left(const struct scene_x3d_part *part)
 
 // Write a set and what belongs to its corners. Return false if all would become too large.
 static bool write_set(struct scene_import *import, struct scene_edits *edits, struct scene_x3d_faces *faces,
-                      const char *text, const struct scene_x3d_set *set)
+                      const char *text, const struct scene_x3d_set *set, const char *end)
 {
     struct out outs[1 + SCENE_X3D_PURPOSES] = {{.import = import}};
     size_t room = faces->written < faces->largest ? faces->largest - faces->written : 0;
@@ -210,7 +212,7 @@ static bool write_set(struct scene_import *import, struct scene_edits *edits, st
                             (struct scene_edit){(size_t)(tag - text), (size_t)(close - tag) + 1, outs[i].text,
                                                 outs[i].size});
         } else if (i > 0 && is_left(&set->parts[i - 1])) {
-            leave_out_part(import, edits, text, set, &set->parts[i - 1]);
+            leave_out_part(import, edits, text, set, &set->parts[i - 1], end);
         }
     }
     return !is_full;
@@ -270,7 +272,7 @@ static const char *write_first(struct scene_import *import, struct scene_edits *
     if (found == SCENE_X3D_OUT_OF_RANGE && !scene_x3d_is_quads(set->kind)) {
         return NULL; // assimp gives indices of points that are not there, which the file is refused for
     }
-    if (found == SCENE_X3D_FACES && write_set(import, edits, faces, text, set)) {
+    if (found == SCENE_X3D_FACES && write_set(import, edits, faces, text, set, end)) {
         const struct scene_collada_value name = scene_collada_attribute(set->tag, set->close, "DEF");
         faces->end = (size_t)(set_end - text);
         scene_x3d_add_name(import, &faces->sets, (struct scene_x3d_name){.name = name, .size = 1});
@@ -285,17 +287,10 @@ static const char *write_first(struct scene_import *import, struct scene_edits *
         scene_import_unsupported(import, "sets of points that are not there (X3D): not drawn");
     } else if (scene_x3d_is_grid(set->kind) &&
                scene_collada_attribute(set->tag, set->close, "height").length > 0) {
-        scene_import_unsupported(import, "grids without all of their heights (X3D): not drawn");
+        scene_import_unsupported(import,
+                                 "grids without faces or without all of their heights (X3D): not drawn");
     }
     return leave_out(import, edits, faces, at, set);
-}
-
-static const char *before_blanks(const char *text)
-{
-    while (scene_collada_is_blank(text[-1])) {
-        text--;
-    }
-    return text;
 }
 
 // Keep the list of a property by its name. Write one that is used again in full, as that of a set that was written is
@@ -320,8 +315,7 @@ static void write_list(struct scene_import *import, struct scene_edits *edits, s
         write_string(&out, "='");
         write_bytes(&out, list.text, list.length);
         write_string(&out, "'");
-        const char *first = before_blanks(use.text - 1) - 1; // the = before the value
-        first = before_blanks(first) - strlen("USE");
+        const char *const first = scene_collada_name_end(use) - strlen("USE");
         scene_edits_add(import, edits,
                         (struct scene_edit){(size_t)(first - text),
                                             (size_t)(use.text + use.length + 1 - first), out.text, out.size});

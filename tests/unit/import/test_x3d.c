@@ -43,6 +43,14 @@ static void test_addresses(void **state)
     }
 }
 
+// Writes a.tga, two texels of these alphas.
+static void write_texels(const unsigned char alpha[2])
+{
+    const unsigned char tga[] = {0, 0, 2, 0,  0, 0,  0,  0,  0,        0,  0,   0,  2,
+                                 0, 1, 0, 32, 8, 90, 90, 90, alpha[0], 10, 200, 30, alpha[1]};
+    write_bytes("a.tga", tga, sizeof tga);
+}
+
 // Materials of X3D 4 keep their colours.
 static void test_materials(void **state)
 {
@@ -51,30 +59,39 @@ static void test_materials(void **state)
     static const struct {
         const char *text;
         float color[3], emissive[3];
-        bool is_told;
+        bool is_unlit, is_told;
     } cases[] = {
-        {"<Material diffuseColor='1 0 0'/>", {1, 0, 0}, {0, 0, 0}, false},
-        {"<UnlitMaterial emissiveColor='0 1 0'/>", {0, 0, 0}, {0, 1, 0}, false},
-        {"<UnlitMaterial></UnlitMaterial>", {0, 0, 0}, {1, 1, 1}, false},
-        {"<PhysicalMaterial metallic='0' baseColor='0 0 1'/>", {0, 0, 1}, {0, 0, 0}, true},
-        {"<PhysicalMaterial DEF='p' emissiveColor='1 0 0'/>", {1, 1, 1}, {1, 0, 0}, true},
+        {"<Material diffuseColor='1 0 0'/>", {1, 0, 0}, {0, 0, 0}, false, false},
+        {"<UnlitMaterial emissiveColor='0 1 0'/>", {0, 1, 0}, {0, 0, 0}, true, false},
+        {"<UnlitMaterial></UnlitMaterial>", {1, 1, 1}, {0, 0, 0}, true, false},
+        {"<UnlitMaterial/><ImageTexture url='\"a.tga\"'/>", {1, 1, 1}, {0, 0, 0}, true, false},
+        {"<PhysicalMaterial metallic='0' baseColor='0 0 1'/>", {0, 0, 1}, {0, 0, 0}, false, true},
+        {"<PhysicalMaterial DEF='baseColors' baseColor = '0 0 1'/>", {0, 0, 1}, {0, 0, 0}, false, true},
+        {"<PhysicalMaterial DEF='p' emissiveColor='1 0 0'/>", {1, 1, 1}, {1, 0, 0}, false, true},
     };
+    write_texels((const unsigned char[]){255, 255});
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         write_format("m.x3d", "<X3D><Scene>" SHAPE("%s") "</Scene></X3D>", cases[i].text);
         struct scene_model *const model = load("m.x3d");
         const struct scene_material *const material = &model->materials[model->meshes[0].material];
         assert_floats(material->base_color, cases[i].color, 3, 0);
         assert_floats(material->emissive, cases[i].emissive, 3, 0);
+        assert_int_equal(material->unlit, cases[i].is_unlit);
         assert_int_equal(is_unsupported(model, told), cases[i].is_told);
         assert_int_equal(model->unsupported_count, cases[i].is_told);
         scene_model_free(model);
     }
-    struct scene_model *const model =
-        load_text("u.x3d", "<X3D><Scene>" SHAPE("<UnlitMaterial DEF='u' emissiveColor='1 0 0'/>")
-                               SHAPE("<UnlitMaterial USE='u'/>") "</Scene></X3D>");
+    struct scene_model *model = load_text(
+        "l.x3d", "<X3D><Scene><Shape><Appearance><UnlitMaterial emissiveColor='1 0 0'/></Appearance>"
+                 "<IndexedLineSet coordIndex='0 1 -1'><Coordinate point='0 0 0 1 0 0'/>"
+                 "</IndexedLineSet></Shape></Scene></X3D>");
+    assert_floats(model->materials[model->meshes[0].material].base_color, (const float[]){1, 0, 0}, 3, 0);
+    scene_model_free(model);
+    model = load_text("u.x3d", "<X3D><Scene>" SHAPE("<UnlitMaterial DEF='u' emissiveColor='1 0 0'/>")
+                                   SHAPE("<UnlitMaterial USE='u'/>") "</Scene></X3D>");
     assert_int_equal(model->mesh_count, 2);
     for (int i = 0; i < 2; i++) {
-        assert_floats(model->materials[model->meshes[i].material].emissive, (const float[]){1, 0, 0}, 3, 0);
+        assert_floats(model->materials[model->meshes[i].material].base_color, (const float[]){1, 0, 0}, 3, 0);
     }
     scene_model_free(model);
 }
@@ -95,10 +112,7 @@ static void test_alpha_of_textures(void **state)
         "OBJECT world\nkids 1\nOBJECT poly\nname \"a\"\ntexture \"a.tga\"\nnumvert 3\n0 0 0\n1 0 0\n0 1 0\n"
         "numsurf 1\nSURF 0x20\nmat 0\nrefs 3\n0 0 0\n1 1 0\n2 0 1\nkids 0\n");
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
-        const unsigned char *const alpha = cases[i].alpha;
-        const unsigned char tga[] = {0, 0, 2, 0,  0, 0,  0,  0,  0,        0,  0,   0,  2,
-                                     0, 1, 0, 32, 8, 90, 90, 90, alpha[0], 10, 200, 30, alpha[1]};
-        write_bytes("a.tga", tga, sizeof tga);
+        write_texels(cases[i].alpha);
         for (int k = 0; k < 2; k++) {
             struct scene_model *const model = load(k == 0 ? "a.x3d" : "a.ac");
             assert_int_equal(model->image_count, 1);
@@ -185,13 +199,13 @@ static void test_nodes(void **state)
          "</TriangleStripSet></Shape>",
          2, "faces of fewer than three corners (X3D): left out"},
         {"<Shape><ElevationGrid xDimension='2' zDimension='2' height=\"0 ' 1 1\"/></Shape>", 1,
-         "grids without all of their heights (X3D): not drawn"},
+         "grids without faces or without all of their heights (X3D): not drawn"},
         {"<Shape><ElevationGrid xDimension='2' zDimension='2' height='0 0 1'/></Shape>", 1,
-         "grids without all of their heights (X3D): not drawn"},
+         "grids without faces or without all of their heights (X3D): not drawn"},
         {"<Shape><IndexedFaceSet coordIndex='0 1 2 -1'><Coordinate point='0 0 0 1 0 0 0 1 0'/>"
          "<Color USE='gone'/></IndexedFaceSet></Shape>",
          2, LACKING},
-        {"<Shape><IndexedFaceSet coordIndex='0 1 2 -1'><Color color='1 0 0 0 1 0'><!-- </x> --></Color >"
+        {"<Shape><IndexedFaceSet coordIndex='0 1 2 -1'><Color color='1 0 0 0 1 0'><!-- </Color> --></Color >"
          "<Coordinate point='0 0 0 1 0 0 0 1 0'/></IndexedFaceSet></Shape>" SHAPE(""),
          3, LACKING},
         {"<Shape><IndexedFaceSet coordIndex='0 1 2 -1' normalIndex='0 0 7 -1'><Normal vector='0 0 1'/>"
