@@ -106,7 +106,7 @@ static void blend_constant(struct tile_work *work, int x, int y, uint64_t mask)
     blend_constant_sample(work, 0, x, y, mask);
 }
 
-// Put 8 texels of `size` bytes into all of a tile.
+// Do what fill_constant_tile does, whose size is a constant.
 static __attribute__((noinline)) void fill_sized_tile(unsigned char *tile, const unsigned char *constant,
                                                       size_t size)
 {

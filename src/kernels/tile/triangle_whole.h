@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A triangle that covers the tile all over, in every sample, is drawn at once where no depth is tested before shading,
-// as in full-screen passes: what its blocks share is done once.
+// as in full-screen passes: what its blocks share is done once, and one of one colour is one fill.
 #ifndef RHW_TRIANGLE_WHOLE_H
 #define RHW_TRIANGLE_WHOLE_H
 
