@@ -24,11 +24,12 @@ def _of_dlpack(value: Any, name: str) -> NDArray[Any]:
     return np.from_dlpack(value)
 
 
-def _is_masked(value: Any, depth: int = 4) -> bool:
-    """Whether it has masked elements, or is a list of lists or arrays of which one has; lists of numbers are not gone through."""
+def _is_masked(value: Any, depth: int = 6) -> bool:
+    """Whether it is an array with masked elements, or a list that has one, or the masked element, within lists in lists."""
     if isinstance(value, (list, tuple)):
-        return depth > 0 and len(value) > 0 and not isinstance(value[0], (int, float)) and any(
-            _is_masked(element, depth - 1) for element in value)
+        if len(value) > 0 and isinstance(value[0], (int, float)):
+            return any(element is np.ma.masked for element in value)
+        return depth > 0 and any(_is_masked(element, depth - 1) for element in value)
     return isinstance(value, np.ma.MaskedArray) and bool(np.any(np.ma.getmaskarray(value)))  # type: ignore[no-untyped-call]
 
 

@@ -129,6 +129,10 @@ def test_what_is_there_already(asked, tmp_path, capsys):
     damaged.symlink_to("0000.png")
     assert say(capsys, *asked) == (0, f"rhw.dataset: {damaged}: is not what was drawn, and is drawn again\n")
     assert files(out) == before and not damaged.is_symlink()
+    damaged.unlink()
+    damaged.symlink_to(tmp_path)
+    assert say(capsys, *asked) == (0, f"rhw.dataset: {damaged}: is not what was drawn, and is drawn again\n")
+    assert files(out) == before and not damaged.is_symlink()
     cameras = out / "boxes/transforms.json"
     cameras.rename(tmp_path / "cameras.json")
     cameras.symlink_to(tmp_path / "cameras.json")

@@ -448,6 +448,7 @@ def test_masked_arrays(square):
                  lambda: rhw.Model(vertices, faces, colors=np.ma.masked_less(vertices, 0.5)),
                  lambda: rhw.write_png("never.png", np.ma.masked_less(np.zeros((2, 2, 3), np.uint8), 1)),
                  lambda: rhw.Environment(np.ma.masked_less(np.zeros((2, 2, 3), np.float32), 1)),
+                 lambda: rhw.Model(vertices, [[0, 1, np.ma.masked]]), lambda: rhw.Camera.look_at((1, 2, 3), (0.0, np.ma.masked, 2)),
                  lambda: rhw.pipeline.Buffer(masked), lambda: rhw.Camera.look_at((1, 2, 3), np.ma.masked_less([0., 1, 2], 1))):
         with pytest.raises(ValueError, match="^[a-z]+: must have no masked elements; "):
             call()

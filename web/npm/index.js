@@ -31,7 +31,10 @@ function writeFile(fs, name, bytes, option) {
     try {
         fs.mkdirTree(path.slice(0, path.lastIndexOf('/')));
         fs.writeFile(path, content);
-    } catch {
+    } catch (error) {
+        if (error.errno === undefined) {
+            throw error; // not of the file system
+        }
         throw new RhwError(`rhw: ${option}: '${name}' is no path of a file, or is that of a folder of another`);
     }
 }

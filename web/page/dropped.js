@@ -3,7 +3,7 @@
 
 const MODELS = [/\.(glb|gltf)$/i, /\.(obj|ply|off|stl|3mf)$/i]; // of several in a folder, the better described first
 const NAMED = /\.(bin|mtl|png|jpe?g|jpe|jfif|webp|ktx2|gif|bmp|dib|tga|tiff?|dds|psd|hdr|exr|avif|p[gnp]m|sgi|rgba?|bw)$/i; // what a model may name
-const BESIDE = /^((textures?|tex|images|maps|materials)\/.+|[^/]+)$/i; // where that is looked for beside the model's folder
+const USUAL = /^((textures?|tex|images|maps|materials)\/.+|[^/]+)$/i; // where most have it beside the model's folder
 const MOST_BESIDE = 2 ** 28; // bytes of it that are read: a folder of downloads has more beside a model
 
 const depthOf = (path) => path.split('/').length;
@@ -51,7 +51,7 @@ async function read([path, file]) {
 
 /**
  * {bytes, name, files}: of several files one is the model, the others are those that it may name: all in its folder, and of those
- * beside its folder, as textures often are, what models name. Paths count from the folder that holds the model's.
+ * beside its folder, as textures often are, what models name, 256 MiB at most. Paths count from the folder that holds the model's.
  * undefined where there is none. What cannot be read is an error whose message is its path, or is left out where it lies beside.
  */
 export async function modelOf(list) {
@@ -63,10 +63,11 @@ export async function modelOf(list) {
   const folder = folderOf(main[0]);
   const around = folderOf(folder.slice(0, -1));
   const own = list.filter((file) => file !== main && file[0].startsWith(folder));
+  const named = list.filter(([path]) => !path.startsWith(folder) && path.startsWith(around) && NAMED.test(path));
+  const isUsual = ([path]) => USUAL.test(path.slice(around.length));
   let room = MOST_BESIDE;
-  const beside = list.filter(([path, { size }]) => {
-    const isBeside = !path.startsWith(folder) && path.startsWith(around) && BESIDE.test(path.slice(around.length));
-    const isRead = isBeside && NAMED.test(path) && size <= room;
+  const beside = [...named.filter(isUsual), ...named.filter((file) => !isUsual(file))].filter(([, { size }]) => {
+    const isRead = size <= room;
     room -= isRead ? size : 0;
     return isRead;
   });

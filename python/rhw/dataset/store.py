@@ -85,11 +85,15 @@ def digest(path: str) -> str:
 def put(path: str, data: bytes) -> None:
     """Writes a file, unless it is there with these bytes. A link to others gives way: they may be another file of the set."""
     try:
-        with open(path, "rb") as file:
-            if file.read() == data:
-                return
-    except FileNotFoundError:
+        if os.path.isfile(path):
+            with open(path, "rb") as file:
+                if file.read() == data:
+                    return
+    except FileNotFoundError:  # of another that draws the same view
         pass
+    except OSError:
+        if not os.path.islink(path):
+            raise
     if os.path.islink(path):
         with contextlib.suppress(FileNotFoundError):  # of another that draws the same view
             os.unlink(path)
