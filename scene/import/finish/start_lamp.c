@@ -35,7 +35,9 @@ void scene_import_drop_start_lamp(struct scene_import *import)
     while (lamp < model->light_count && !is_start_lamp(&model->lights[lamp])) {
         lamp++;
     }
-    if (strcasecmp(import->ending, "blend") != 0 || lamp == model->light_count || !gives_way(model)) {
+    // A model that is made of arrays has no ending.
+    if (lamp == model->light_count || !import->ending || strcasecmp(import->ending, "blend") != 0 ||
+        !gives_way(model)) {
         return;
     }
     scene_import_warn(import,
