@@ -31,6 +31,20 @@ typedef rhw_int vector_i;
 #undef ONE
 #undef TWO
 
+static rhw_float call_SINE_FIRST(rhw_float *cosine, rhw_float a)
+{
+    rhw_float sine;
+    rhw_sincos(a, &sine, cosine);
+    return sine;
+}
+
+static rhw_float call_COSINE_FIRST(rhw_float *sine, rhw_float a)
+{
+    rhw_float cosine;
+    rhw_sincos(a, sine, &cosine);
+    return cosine;
+}
+
 static rhw_int call_BALLOT(rhw_int truth, rhw_int mask)
 {
     return rhw_spirv_ballot(truth, mask);
@@ -409,6 +423,8 @@ static shader_call_function *const functions[SHADER_CALLS] = {
     ENTRY(IMAGE_STORE),
     MORE(PUSH_WORD),
     MORE(PUSH),
+    MORE(SINE_FIRST),
+    MORE(COSINE_FIRST),
     MORE(FIND_WORDS),
     MORE(FIND_SHARED),
     MORE(FIND_PAIR),

@@ -12,6 +12,8 @@
 enum shader_call {
     SHADER_CALL_PUSH_WORD = SHADER_OP_COUNT, // a word for all lanes
     SHADER_CALL_PUSH,                        // a word for each lane
+    SHADER_CALL_SINE_FIRST,                  // sine and cosine, the other of which goes to memory
+    SHADER_CALL_COSINE_FIRST,
     SHADER_CALL_FIND_WORDS,
     SHADER_CALL_FIND_SHARED,
     SHADER_CALL_FIND_PAIR,

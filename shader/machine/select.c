@@ -188,11 +188,42 @@ static void put_unsigned_less(struct shader_generator *g, uint32_t value)
     shader_put(g, X86_VPCMPGTD, shader_result(g, value), y, x86_reg(x));
 }
 
+// Return the cosine of what a value is the sine of, or the other way round, that is computed soon. SHADER_NONE: there
+// is none.
+static uint32_t other_of_pair(const struct shader_generator *g, uint32_t value)
+{
+    enum { FAR = 32 };
+    const struct shader_node *const nodes = g->form->nodes, *const node = &nodes[value];
+    if ((node->op != SHADER_SIN && node->op != SHADER_COS) || nodes[node->operands[0]].op == SHADER_HOME) {
+        return SHADER_NONE;
+    }
+    const uint16_t wanted = node->op == SHADER_SIN ? SHADER_COS : SHADER_SIN;
+    for (uint32_t i = g->place + 1; i < g->form->code_count && i < g->place + FAR; i++) {
+        const uint32_t other = g->form->code[i];
+        if (nodes[other].op == wanted && nodes[other].operands[0] == node->operands[0]) {
+            const bool is_near = g->plan.block[i] == g->plan.block[g->place] &&
+                                 g->plan.run[i] == g->plan.run[g->place] &&
+                                 g->plan.is_hoisted[other] == g->plan.is_hoisted[value];
+            return is_near ? other : SHADER_NONE;
+        }
+    }
+    return SHADER_NONE;
+}
+
 static void put_call(struct shader_generator *g, uint32_t value)
 {
     const struct shader_node *const node = &g->form->nodes[value];
     struct shader_invocation call = {
         .which = node->op, .vector_count = shader_op_operands((enum shader_op)node->op), .result = value};
+    const uint32_t other = other_of_pair(g, value);
+    if (g->values[value].home != SHADER_HOMELESS) {
+        return; // it came with the other
+    }
+    if (other != SHADER_NONE) {
+        call.which = node->op == SHADER_SIN ? SHADER_CALL_SINE_FIRST : SHADER_CALL_COSINE_FIRST;
+        call.arguments[call.argument_count++] = shader_address_argument(shader_home_of(g, other));
+        g->values[other].is_stored = true;
+    }
     for (int o = 0; o < call.vector_count; o++) {
         call.vectors[o] = node->operands[o];
     }
