@@ -22,8 +22,10 @@ struct misuse {
     VkAttachmentDescription2 attachments[3];
     VkAttachmentReference2 references[3];
     uint32_t count;
-    bool clears; // instead of drawing
-    int error;   // descriptor of stderr, in whose place a file stands
+    bool clears;       // instead of drawing
+    VkBuffer commands; // that draws are read from, or none
+    VkDeviceSize offset;
+    int error; // descriptor of stderr, in whose place a file stands
 };
 
 static const char log_path[] = "test_vulkan_misuse.log";
@@ -141,6 +143,8 @@ static void draw(struct misuse *m, VkRenderPass pass, VkPipeline pipeline, uint3
     vkCmdPushConstants(rig->commands, m->state.layout, VK_SHADER_STAGE_ALL, 0, sizeof push, push);
     if (m->clears) {
         clear_all(m, side);
+    } else if (m->commands) {
+        vkCmdDrawIndirect(rig->commands, m->commands, m->offset, 3, sizeof(VkDrawIndirectCommand));
     } else {
         vkCmdDraw(rig->commands, 6, 1, 0, 0);
     }
@@ -254,6 +258,35 @@ static void a_pipeline_writes_no_depth_that_is_not_to_be_written(void **state)
     assert_int_equal(draw_with_depth(written, VK_IMAGE_LAYOUT_DEPTH_STENCIL_READ_ONLY_OPTIMAL), green);
 }
 
+// Return the colour that draws of a buffer with two commands leave, the first of nothing and the second of the quad.
+static uint32_t draw_indirect(VkDeviceSize offset, const char *told)
+{
+    static const VkDrawIndirectCommand given[2] = {{0, 1, 0, 0}, {6, 1, 0, 0}};
+    struct misuse m;
+    struct rig_buffer read[3];
+    begin_misuse(&m);
+    add_color(&m);
+    m.commands = rig_buffer(&m.rig, sizeof given, given).buffer;
+    m.offset = offset;
+    const VkRenderPass pass = create_pass(&m, 1);
+    draw(&m, pass, picture_pipeline(&m.picture, &m.state, pass, 0), PASS_SIDE, read);
+    const uint32_t color = *(const uint32_t *)read[0].bytes;
+    expect_colors(&read[0], color);
+    end_misuse(&m, told);
+    return color;
+}
+
+static void an_indirect_draw_lies_in_its_buffer(void **state)
+{
+    (void)state;
+    const VkDeviceSize stride = sizeof(VkDrawIndirectCommand);
+    assert_int_equal(draw_indirect(0, "number 2, 32 bytes behind 0, is not within the 32"), green);
+    assert_int_equal(draw_indirect(stride, "number 1, 16 bytes behind 16"), green);
+    assert_int_equal(draw_indirect(2 * stride, "number 0, 0 bytes behind 32"), none);
+    // Offset and stride come to places in the buffer where they are added in 64 bits.
+    assert_int_equal(draw_indirect(0 - stride, "number 0, 0 bytes behind 18446744073709551600"), none);
+}
+
 // Commands that have nothing to do, for what they need is not there.
 static void what_is_left_out_is_told(void **state)
 {
@@ -297,19 +330,20 @@ static void what_is_left_out_is_told(void **state)
     draw_counted(rig->commands, 1, 0, small.buffer, 16, 0, 4);
     vkCmdEndRenderPass(rig->commands);
     rig_run(&m.rig);
-    static const char *const parts[] = {"vkCmdCopyBuffer: 8 bytes of 16 lie within the buffers",
-                                        "outside of its buffer",
-                                        "vkCmdCopyImageToBuffer: a region without texels",
-                                        "clear: a range without texels",
-                                        "a render pass is ended that has not begun",
-                                        "a dispatch is left out: no pipeline is bound",
-                                        "an indirect dispatch at 8 is left out",
-                                        "a draw is left out: no render pass has begun",
-                                        "a draw is left out: no pipeline is bound",
-                                        "all indices are zeros: no buffer is bound",
-                                        "an indirect draw at 8 is left out",
-                                        "a draw is left out, whose vertices have a stride of 0",
-                                        "a draw is left out, whose counter lies behind its buffer"};
+    static const char *const parts[] = {
+        "vkCmdCopyBuffer: 8 bytes of 16 lie within the buffers",
+        "outside of its buffer",
+        "vkCmdCopyImageToBuffer: a region without texels",
+        "clear: a range without texels",
+        "a render pass is ended that has not begun",
+        "a dispatch is left out: no pipeline is bound",
+        "an indirect dispatch at 8 is left out",
+        "a draw is left out: no render pass has begun",
+        "a draw is left out: no pipeline is bound",
+        "all indices are zeros: no buffer is bound",
+        "indirect draws are left out: number 0, 0 bytes behind 8, is not within the 16",
+        "a draw is left out, whose vertices have a stride of 0",
+        "a draw is left out, whose counter lies behind its buffer"};
     char text[4096];
     read_log(text, sizeof text);
     for (size_t i = 0; i < sizeof parts / sizeof *parts; i++) {
@@ -323,6 +357,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(an_image_is_attached_once),
     cmocka_unit_test(a_pipeline_draws_into_the_colors_that_are_there),
     cmocka_unit_test(a_pipeline_writes_no_depth_that_is_not_to_be_written),
+    cmocka_unit_test(an_indirect_draw_lies_in_its_buffer),
     cmocka_unit_test(what_is_left_out_is_told),
 };
 

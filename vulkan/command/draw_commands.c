@@ -270,17 +270,21 @@ struct draw_indirect {
     uint32_t count, stride;
 };
 
-// Return the place of a command of `size` bytes, or NULL if it does not lie within its buffer.
+// Return the place of a command of `size` bytes, or NULL if it does not lie within its buffer. A sum is made where it
+// is known to stay below the buffer's size, so that none wraps around to bytes in front of the offset.
 static const void *find_command(const struct draw_indirect *record, uint32_t index, size_t size)
 {
     const VkDeviceSize room = record->buffer->bytes ? record->buffer->size : 0;
-    const VkDeviceSize offset = record->offset + (VkDeviceSize)index * record->stride;
-    if (offset > room || size > room - offset) {
-        vulkan_log("an indirect draw at %llu is left out: its buffer has %llu bytes",
-                   (unsigned long long)offset, (unsigned long long)room);
+    const VkDeviceSize step = (VkDeviceSize)index * record->stride; // two factors of 32 bits
+    const VkDeviceSize left = record->offset < room ? room - record->offset : 0;
+    if (step > left || size > left - step) {
+        vulkan_log("indirect draws are left out: number %u, %llu bytes behind %llu, is not within the %llu "
+                   "of its buffer",
+                   index, (unsigned long long)step, (unsigned long long)record->offset,
+                   (unsigned long long)room);
         return NULL;
     }
-    return record->buffer->bytes + offset;
+    return record->buffer->bytes + record->offset + step;
 }
 
 static void replay_draw_indirect(struct vulkan_replay *replay, const struct vulkan_command *command)
@@ -292,10 +296,11 @@ static void replay_draw_indirect(struct vulkan_replay *replay, const struct vulk
     }
     for (uint32_t i = 0; i < record->count; i++) {
         const void *const place = find_command(record, i, sizeof read);
-        if (place) {
-            memcpy(&read, place, sizeof read);
-            draw(replay, &read, i);
+        if (!place) {
+            return; // the next command would lie further behind
         }
+        memcpy(&read, place, sizeof read);
+        draw(replay, &read, i);
     }
 }
 
@@ -308,10 +313,11 @@ static void replay_draw_indexed_indirect(struct vulkan_replay *replay, const str
     }
     for (uint32_t i = 0; i < record->count; i++) {
         const void *const place = find_command(record, i, sizeof read);
-        if (place) {
-            memcpy(&read, place, sizeof read);
-            draw_indexed(replay, &read, i);
+        if (!place) {
+            return; // the next command would lie further behind
         }
+        memcpy(&read, place, sizeof read);
+        draw_indexed(replay, &read, i);
     }
 }
 
