@@ -375,7 +375,9 @@ static void replay(struct fuzz *fuzz)
 static void flip_bytes(unsigned char *data, size_t size)
 {
     for (uint32_t n = 1 + pick(8); n > 0 && size > 0; n--) {
-        data[pick((uint32_t)size)] ^= (unsigned char)(1u << pick(8));
+        const uint32_t at =
+            pick((uint32_t)size); // picked first: compilers choose the order within an assignment
+        data[at] ^= (unsigned char)(1u << pick(8));
     }
 }
 

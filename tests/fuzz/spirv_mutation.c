@@ -211,7 +211,9 @@ static void mutate_once(uint64_t *state, struct spirv_words *module, const struc
             module->count = HEADER + spirv_pick(state, (uint32_t)module->count - HEADER);
         }
         if (spirv_pick(state, 8) == 0) {
-            module->words[spirv_pick(state, HEADER)] = extreme(state);
+            const uint32_t word =
+                spirv_pick(state, HEADER); // compilers choose the order within an assignment
+            module->words[word] = extreme(state);
         }
         break;
     default: change_operand(state, module, at); break;

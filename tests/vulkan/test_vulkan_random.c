@@ -40,34 +40,39 @@ struct plan {
     struct step steps[STEPS];
 };
 
+// Compilers choose the order in which the elements of a list are computed, so each number is picked by itself: a seed is
+// the same plan everywhere.
 static VkStencilOpState pick_stencil(struct random_state *random)
 {
-    return (VkStencilOpState){.failOp = (VkStencilOp)below(random, 8),
-                              .passOp = (VkStencilOp)below(random, 8),
-                              .depthFailOp = (VkStencilOp)below(random, 8),
-                              .compareOp = (VkCompareOp)below(random, 8),
-                              .compareMask = below(random, 256),
-                              .writeMask = below(random, 256)};
+    VkStencilOpState state = {.reference = 0};
+    state.failOp = (VkStencilOp)below(random, 8);
+    state.passOp = (VkStencilOp)below(random, 8);
+    state.depthFailOp = (VkStencilOp)below(random, 8);
+    state.compareOp = (VkCompareOp)below(random, 8);
+    state.compareMask = below(random, 256);
+    state.writeMask = below(random, 256);
+    return state;
 }
 
 // Sums of bytes, and the larger or smaller of two, are no matter of rounding.
 static VkPipelineColorBlendAttachmentState pick_blend(struct random_state *random)
 {
-    return (VkPipelineColorBlendAttachmentState){
-        .blendEnable = below(random, 3) == 0,
-        .srcColorBlendFactor = below(random, 2) ? VK_BLEND_FACTOR_ONE : VK_BLEND_FACTOR_ZERO,
-        .dstColorBlendFactor = below(random, 2) ? VK_BLEND_FACTOR_ONE : VK_BLEND_FACTOR_ZERO,
-        .colorBlendOp = (VkBlendOp)below(random, 5),
-        .srcAlphaBlendFactor = VK_BLEND_FACTOR_ONE,
-        .dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE,
-        .alphaBlendOp = (VkBlendOp)below(random, 5),
-        .colorWriteMask = below(random, 4) ? 15 : below(random, 16)};
+    VkPipelineColorBlendAttachmentState state = {.srcAlphaBlendFactor = VK_BLEND_FACTOR_ONE,
+                                                 .dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE};
+    state.blendEnable = below(random, 3) == 0;
+    state.srcColorBlendFactor = below(random, 2) ? VK_BLEND_FACTOR_ONE : VK_BLEND_FACTOR_ZERO;
+    state.dstColorBlendFactor = below(random, 2) ? VK_BLEND_FACTOR_ONE : VK_BLEND_FACTOR_ZERO;
+    state.colorBlendOp = (VkBlendOp)below(random, 5);
+    state.alphaBlendOp = (VkBlendOp)below(random, 5);
+    state.colorWriteMask = below(random, 4) ? 15 : below(random, 16);
+    return state;
 }
 
 static VkRect2D pick_rectangle(struct random_state *random)
 {
     const uint32_t x = below(random, SIZE), y = below(random, SIZE);
-    return (VkRect2D){{(int32_t)x, (int32_t)y}, {1 + below(random, SIZE - x), 1 + below(random, SIZE - y)}};
+    const uint32_t width = 1 + below(random, SIZE - x), height = 1 + below(random, SIZE - y);
+    return (VkRect2D){{(int32_t)x, (int32_t)y}, {width, height}};
 }
 
 static void pick_clear(struct random_state *random, struct step *step)
@@ -80,8 +85,8 @@ static void pick_clear(struct random_state *random, struct step *step)
             step->clear.clearValue.color.float32[i] = (float)below(random, 256) / 255;
         }
     } else {
-        step->clear.clearValue.depthStencil =
-            (VkClearDepthStencilValue){(float)below(random, 17) / 16, below(random, 256)};
+        step->clear.clearValue.depthStencil.depth = (float)below(random, 17) / 16;
+        step->clear.clearValue.depthStencil.stencil = below(random, 256);
     }
 }
 
@@ -96,8 +101,10 @@ static void pick_draw(struct random_state *random, struct step *step)
         step->push[4 + i] = (float)below(random, 256) / 255;
     }
     step->push[8] = (float)below(random, 17) / 16;
-    step->draw = (VkDrawIndirectCommand){6 * below(random, 3), below(random, 4), 6 * below(random, 3),
-                                         below(random, 2)};
+    step->draw.vertexCount = 6 * below(random, 3);
+    step->draw.instanceCount = below(random, 4);
+    step->draw.firstVertex = 6 * below(random, 3);
+    step->draw.firstInstance = below(random, 2);
 }
 
 static void pick_plan(uint64_t seed, struct plan *plan)
@@ -105,14 +112,14 @@ static void pick_plan(uint64_t seed, struct plan *plan)
     struct random_state random = {seed * UINT64_C(0x9e3779b97f4a7c15)};
     memset(plan, 0, sizeof *plan);
     for (int i = 0; i < PIPELINES; i++) {
-        plan->depth[i] = (VkPipelineDepthStencilStateCreateInfo){
-            .sType = VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO,
-            .depthTestEnable = below(&random, 2),
-            .depthWriteEnable = below(&random, 2),
-            .depthCompareOp = (VkCompareOp)below(&random, 8),
-            .stencilTestEnable = below(&random, 2),
-            .front = pick_stencil(&random),
-            .back = pick_stencil(&random)};
+        VkPipelineDepthStencilStateCreateInfo *const depth = &plan->depth[i];
+        depth->sType = VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO;
+        depth->depthTestEnable = below(&random, 2);
+        depth->depthWriteEnable = below(&random, 2);
+        depth->depthCompareOp = (VkCompareOp)below(&random, 8);
+        depth->stencilTestEnable = below(&random, 2);
+        depth->front = pick_stencil(&random);
+        depth->back = pick_stencil(&random);
         plan->blend[i] = pick_blend(&random);
         plan->cull[i] = below(&random, 3) ? VK_CULL_MODE_NONE : below(&random, 3);
     }

@@ -18,13 +18,33 @@ uint32_t hostile_below(struct hostile *h, uint32_t end)
     h->random ^= h->random << 13;
     h->random ^= h->random >> 7;
     h->random ^= h->random << 17;
-    return (uint32_t)(h->random >> 24) % end;
+    const uint32_t number = (uint32_t)(h->random >> 24) % end;
+    h->trace = (h->trace ^ number ^ (uint64_t)end << 32) * UINT64_C(0x100000001b3); // FNV's prime
+    return number;
 }
 
 uint32_t hostile_any(struct hostile *h)
 {
     static const uint32_t ends[] = {0x100, 0x10000, 0x80000000, 0};
-    return hostile_below(h, 3) ? hostile_below(h, 20) : ends[hostile_below(h, 4)] + hostile_below(h, 9) - 4;
+    if (hostile_below(h, 3)) {
+        return hostile_below(h, 20);
+    }
+    const uint32_t end = ends[hostile_below(h, 4)];
+    return end + hostile_below(h, 9) - 4;
+}
+
+void hostile_fill(struct hostile *h, uint32_t *numbers, int count)
+{
+    for (int i = 0; i < count; i++) {
+        numbers[i] = hostile_any(h);
+    }
+}
+
+VkRect2D hostile_rectangle(struct hostile *h)
+{
+    uint32_t n[4];
+    hostile_fill(h, n, 4);
+    return (VkRect2D){{(int32_t)n[0], (int32_t)n[1]}, {n[2], n[3]}};
 }
 
 VkDeviceSize hostile_size(struct hostile *h)
@@ -141,16 +161,22 @@ static void make_views(struct hostile *h)
     for (int i = 0; i < HOSTILE_VIEWS; i++) {
         const uint32_t image = i < HOSTILE_IMAGES ? (uint32_t)i : hostile_below(h, HOSTILE_IMAGES);
         const bool is_wild = i >= HOSTILE_IMAGES;
-        const VkImageViewCreateInfo info = {
-            .sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO,
-            .image = h->images[image],
-            .viewType = is_wild ? (VkImageViewType)hostile_below(h, 7) : (VkImageViewType)kinds[image].type,
-            .format = is_wild && hostile_below(h, 3) == 0 ? kinds[hostile_below(h, HOSTILE_IMAGES)].format
-                                                          : kinds[image].format,
-            .components = {.r = (VkComponentSwizzle)hostile_below(h, 7)},
-            .subresourceRange = {h->aspects[image], is_wild ? hostile_below(h, 4) : 0,
-                                 is_wild ? hostile_any(h) : 1, is_wild ? hostile_below(h, 4) : 0,
-                                 is_wild ? hostile_any(h) : 1}};
+        VkImageViewCreateInfo info = {.sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO,
+                                      .image = h->images[image],
+                                      .viewType = (VkImageViewType)kinds[image].type,
+                                      .format = kinds[image].format,
+                                      .subresourceRange = {h->aspects[image], 0, 1, 0, 1}};
+        info.components.r = (VkComponentSwizzle)hostile_below(h, 7);
+        if (is_wild) {
+            info.viewType = (VkImageViewType)hostile_below(h, 7);
+            info.subresourceRange.baseMipLevel = hostile_below(h, 4);
+            info.subresourceRange.levelCount = hostile_any(h);
+            info.subresourceRange.baseArrayLayer = hostile_below(h, 4);
+            info.subresourceRange.layerCount = hostile_any(h);
+        }
+        if (is_wild && hostile_below(h, 3) == 0) {
+            info.format = kinds[hostile_below(h, HOSTILE_IMAGES)].format;
+        }
         CHECK(vkCreateImageView(h->rig.device, &info, NULL, &h->views[i]));
         RIG_KEEP(&h->rig, IMAGE_VIEW, h->views[i]);
     }
@@ -173,31 +199,31 @@ void hostile_write_set(struct hostile *h)
     VkDescriptorImageInfo images[3];
     VkBufferView views[3];
     for (int i = 0; i < 3; i++) {
-        buffers[i] = (VkDescriptorBufferInfo){h->buffers[hostile_below(h, HOSTILE_BUFFERS)], hostile_size(h),
-                                              hostile_size(h)};
+        const VkBuffer buffer = h->buffers[hostile_below(h, HOSTILE_BUFFERS)];
+        const VkDeviceSize offset = hostile_size(h), size = hostile_size(h);
+        buffers[i] = (VkDescriptorBufferInfo){buffer, offset, size};
         images[i] = (VkDescriptorImageInfo){h->sampler, h->views[hostile_below(h, HOSTILE_VIEWS)],
                                             VK_IMAGE_LAYOUT_GENERAL};
         views[i] = h->texels;
     }
-    const VkWriteDescriptorSet write = {
-        .sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET,
-        .dstSet = h->sets[hostile_below(h, HOSTILE_SETS)],
-        .dstBinding = binding->binding,
-        .dstArrayElement = hostile_below(h, 6) ? hostile_below(h, binding->descriptorCount) : hostile_any(h),
-        .descriptorCount = 1 + hostile_below(h, 3),
-        .descriptorType =
-            hostile_below(h, 9) ? binding->descriptorType : (VkDescriptorType)hostile_below(h, 11),
-        .pBufferInfo = buffers,
-        .pImageInfo = images,
-        .pTexelBufferView = views};
-    const VkCopyDescriptorSet copy = {.sType = VK_STRUCTURE_TYPE_COPY_DESCRIPTOR_SET,
-                                      .srcSet = h->sets[hostile_below(h, HOSTILE_SETS)],
-                                      .srcBinding = hostile_below(h, 6),
-                                      .srcArrayElement = hostile_below(h, 4),
-                                      .dstSet = h->sets[hostile_below(h, HOSTILE_SETS)],
-                                      .dstBinding = hostile_below(h, 6),
-                                      .dstArrayElement = hostile_below(h, 4),
-                                      .descriptorCount = hostile_any(h)};
+    VkWriteDescriptorSet write = {.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET,
+                                  .dstBinding = binding->binding,
+                                  .pBufferInfo = buffers,
+                                  .pImageInfo = images,
+                                  .pTexelBufferView = views};
+    write.dstSet = h->sets[hostile_below(h, HOSTILE_SETS)];
+    write.dstArrayElement = hostile_below(h, 6) ? hostile_below(h, binding->descriptorCount) : hostile_any(h);
+    write.descriptorCount = 1 + hostile_below(h, 3);
+    write.descriptorType =
+        hostile_below(h, 9) ? binding->descriptorType : (VkDescriptorType)hostile_below(h, 11);
+    VkCopyDescriptorSet copy = {.sType = VK_STRUCTURE_TYPE_COPY_DESCRIPTOR_SET};
+    copy.srcSet = h->sets[hostile_below(h, HOSTILE_SETS)];
+    copy.srcBinding = hostile_below(h, 6);
+    copy.srcArrayElement = hostile_below(h, 4);
+    copy.dstSet = h->sets[hostile_below(h, HOSTILE_SETS)];
+    copy.dstBinding = hostile_below(h, 6);
+    copy.dstArrayElement = hostile_below(h, 4);
+    copy.descriptorCount = hostile_any(h);
     vkUpdateDescriptorSets(h->rig.device, 1, &write, hostile_below(h, 4) == 0, &copy);
 }
 
@@ -230,21 +256,23 @@ static void make_pass(struct hostile *h, int i)
         const uint32_t image = hostile_below(h, HOSTILE_IMAGES);
         attachments[a] = (VkAttachmentDescription){.format = kinds[image].format,
                                                    .samples = (VkSampleCountFlagBits)kinds[image].samples,
-                                                   .loadOp = (VkAttachmentLoadOp)hostile_below(h, 3),
-                                                   .storeOp = (VkAttachmentStoreOp)hostile_below(h, 2),
-                                                   .stencilLoadOp = (VkAttachmentLoadOp)hostile_below(h, 3),
                                                    .finalLayout = VK_IMAGE_LAYOUT_GENERAL};
+        attachments[a].loadOp = (VkAttachmentLoadOp)hostile_below(h, 3);
+        attachments[a].storeOp = (VkAttachmentStoreOp)hostile_below(h, 2);
+        attachments[a].stencilLoadOp = (VkAttachmentLoadOp)hostile_below(h, 3);
         views[a] = h->views[hostile_below(h, 3) ? image : hostile_below(h, HOSTILE_VIEWS)];
     }
     const VkAttachmentReference one = {hostile_below(h, 2), VK_IMAGE_LAYOUT_GENERAL};
     const VkAttachmentReference other = {hostile_below(h, 3) ? 1 - one.attachment : VK_ATTACHMENT_UNUSED,
                                          VK_IMAGE_LAYOUT_GENERAL};
+    const bool resolves = hostile_below(h, 2);
+    const uint32_t input_count = hostile_below(h, 2);
     const VkSubpassDescription subpasses[2] = {
         {.colorAttachmentCount = 1, .pColorAttachments = &one, .pDepthStencilAttachment = &other},
         {.colorAttachmentCount = 1,
          .pColorAttachments = &other,
-         .pResolveAttachments = hostile_below(h, 2) ? &one : NULL,
-         .inputAttachmentCount = hostile_below(h, 2),
+         .pResolveAttachments = resolves ? &one : NULL,
+         .inputAttachmentCount = input_count,
          .pInputAttachments = &one}};
     const VkRenderPassCreateInfo info = {.sType = VK_STRUCTURE_TYPE_RENDER_PASS_CREATE_INFO,
                                          .attachmentCount = 2,
@@ -253,13 +281,13 @@ static void make_pass(struct hostile *h, int i)
                                          .pSubpasses = subpasses};
     CHECK(vkCreateRenderPass(h->rig.device, &info, NULL, &h->passes[i]));
     RIG_KEEP(&h->rig, RENDER_PASS, h->passes[i]);
-    const VkFramebufferCreateInfo frame = {.sType = VK_STRUCTURE_TYPE_FRAMEBUFFER_CREATE_INFO,
-                                           .renderPass = h->passes[i],
-                                           .attachmentCount = 2,
-                                           .pAttachments = views,
-                                           .width = hostile_below(h, 4) ? 16 : hostile_any(h),
-                                           .height = hostile_below(h, 4) ? 16 : hostile_any(h),
-                                           .layers = hostile_below(h, 4) ? 1 : hostile_any(h)};
+    VkFramebufferCreateInfo frame = {.sType = VK_STRUCTURE_TYPE_FRAMEBUFFER_CREATE_INFO,
+                                     .renderPass = h->passes[i],
+                                     .attachmentCount = 2,
+                                     .pAttachments = views};
+    frame.width = hostile_below(h, 4) ? 16 : hostile_any(h);
+    frame.height = hostile_below(h, 4) ? 16 : hostile_any(h);
+    frame.layers = hostile_below(h, 4) ? 1 : hostile_any(h);
     CHECK(vkCreateFramebuffer(h->rig.device, &frame, NULL, &h->framebuffers[i]));
     RIG_KEEP(&h->rig, FRAMEBUFFER, h->framebuffers[i]);
 }
@@ -274,8 +302,9 @@ static void make_pipelines(struct hostile *h)
     for (int i = 0; i < HOSTILE_GRAPHICS; i++) {
         struct picture_state state;
         picture_state(&state, &h->picture, i % 3 == 0 ? quad : i % 3 == 1 ? stand : kept, shade, h->layout);
-        state.buffers[0] = (VkVertexInputBindingDescription){hostile_below(h, 16), hostile_any(h) % 2049,
-                                                             (VkVertexInputRate)hostile_below(h, 2)};
+        state.buffers[0].binding = hostile_below(h, 16);
+        state.buffers[0].stride = hostile_any(h) % 2049;
+        state.buffers[0].inputRate = (VkVertexInputRate)hostile_below(h, 2);
         for (uint32_t a = 0; a < 2; a++) {
             state.attributes[a] = (VkVertexInputAttributeDescription){
                 a, state.buffers[0].binding, VK_FORMAT_R32G32B32A32_SFLOAT, hostile_any(h) % 2048};
@@ -290,8 +319,9 @@ static void make_pipelines(struct hostile *h)
         state.depth.stencilTestEnable = hostile_below(h, 2);
         state.blend[0].blendEnable = hostile_below(h, 2);
         // One that is refused is not drawn with.
-        if (picture_try_pipeline(&h->picture, &state, h->passes[hostile_below(h, HOSTILE_PASSES)],
-                                 hostile_below(h, 2), &h->graphics[i]) == VK_SUCCESS) {
+        const VkRenderPass pass = h->passes[hostile_below(h, HOSTILE_PASSES)];
+        if (picture_try_pipeline(&h->picture, &state, pass, hostile_below(h, 2), &h->graphics[i]) ==
+            VK_SUCCESS) {
             RIG_KEEP(&h->rig, PIPELINE, h->graphics[i]);
         } else {
             h->graphics[i] = VK_NULL_HANDLE;

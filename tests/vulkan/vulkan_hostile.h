@@ -19,6 +19,7 @@ enum {
 
 struct hostile {
     uint64_t random;
+    uint64_t trace; // hash of all numbers so far, each with what it is picked below
     struct rig rig;
     struct picture picture;
     VkBuffer buffers[HOSTILE_BUFFERS]; // the last one has no memory
@@ -45,10 +46,18 @@ void hostile_open(struct hostile *h, uint64_t seed);
 // Want the bytes around all objects to be what they were.
 void hostile_check(const struct hostile *h);
 
+// Return a number below `end`. Compilers choose the order in which arguments and elements of a list are computed, so no
+// two calls stand in one list: a seed gives the same commands everywhere.
 uint32_t hostile_below(struct hostile *h, uint32_t end);
 
 // Return a number that is mostly small, and at times near the ends of 8, 16, 31 or 32 bits.
 uint32_t hostile_any(struct hostile *h);
+
+// Set numbers to what hostile_any gives.
+void hostile_fill(struct hostile *h, uint32_t *numbers, int count);
+
+// Return a rectangle of four of these numbers.
+VkRect2D hostile_rectangle(struct hostile *h);
 
 // Return a number of bytes, at times of 64 bits.
 VkDeviceSize hostile_size(struct hostile *h);
