@@ -79,10 +79,12 @@ void scene_import_drop_unused_vertices(struct scene_import *import, struct scene
 }
 
 // A table of vertices by content. A slot holds a vertex or none. Twice as many slots as vertices keep the runs of
-// occupied slots short.
+// occupied slots short. Above the bits of the vertex stand some of its hash, so that another vertex of a run is seldom
+// looked at: its bytes are far away in memory.
 struct vertex_table {
     uint32_t *slots;
     uint32_t mask;
+    uint32_t vertex_bits; // all ones are no vertex
 };
 
 static struct vertex_table make_table(struct scene_import *import, uint32_t vertices)
@@ -91,8 +93,8 @@ static struct vertex_table make_table(struct scene_import *import, uint32_t vert
     while (size < (size_t)vertices * 2) {
         size *= 2;
     }
-    struct vertex_table table = {scene_import_allocate_any(import, size, sizeof(uint32_t)),
-                                 (uint32_t)(size - 1)};
+    const uint32_t mask = (uint32_t)(size - 1);
+    struct vertex_table table = {scene_import_allocate_any(import, size, sizeof(uint32_t)), mask, mask};
     memset(table.slots, 0xff, size * sizeof(uint32_t));
     return table;
 }
@@ -105,13 +107,22 @@ static uint64_t word_at(const void *bytes)
     return word;
 }
 
-// Add an element of 8 to 16 bytes to a hash, by its first 8 bytes and its last.
-static uint64_t mix(uint64_t hash, const char *element, size_t size)
+// Add two words to a hash.
+static uint64_t mix(uint64_t hash, uint64_t first, uint64_t second)
 {
     const uint64_t factor = 0x9e3779b97f4a7c15u;
-    hash = (hash ^ word_at(element)) * factor;
-    hash = (hash ^ hash >> 32 ^ word_at(element + size - 8)) * factor;
+    hash = (hash ^ first) * factor;
+    hash = (hash ^ hash >> 32 ^ second) * factor;
     return hash ^ hash >> 32;
+}
+
+// Return the bits of a number, of which −0 has those of 0.
+static uint64_t bits_of(float number)
+{
+    const float sum = number + 0.0f;
+    uint32_t bits;
+    memcpy(&bits, &sum, sizeof bits);
+    return bits;
 }
 
 // The arrays of a mesh as bytes, for comparing whole vertices.
@@ -147,11 +158,12 @@ static inline uint64_t hash_of(const struct vertex_bytes *bytes, uint32_t vertex
     uint64_t hash = 0;
     if (bytes->are_places) {
         const float *const p = place_of(bytes, vertex);
-        const float key[3] = {p[0] + 0.0f, p[1] + 0.0f, p[2] + 0.0f};
-        return mix(hash, (const char *)key, sizeof key);
+        return mix(hash, bits_of(p[0]) | bits_of(p[1]) << 32, bits_of(p[2]));
     }
     for (int k = 0; k < bytes->count; k++) {
-        hash = mix(hash, bytes->arrays[k] + vertex * bytes->sizes[k], bytes->sizes[k]);
+        // The first 8 bytes of an element and its last are all of its 8 to 16.
+        const char *const element = bytes->arrays[k] + vertex * bytes->sizes[k];
+        hash = mix(hash, word_at(element), word_at(element + bytes->sizes[k] - 8));
     }
     return hash;
 }
@@ -180,18 +192,25 @@ static void find_first(struct scene_import *import, const struct vertex_bytes *b
     const struct vertex_table table = make_table(import, count);
     for (uint32_t start = 0; start < count; start += SOME) {
         const uint32_t end = count - start < SOME ? count : start + SOME;
-        uint32_t slots[SOME];
+        uint64_t hashes[SOME];
         for (uint32_t i = start; i < end; i++) {
-            slots[i - start] = (uint32_t)hash_of(bytes, i) & table.mask;
-            __builtin_prefetch(&table.slots[slots[i - start]], 1);
+            hashes[i - start] = hash_of(bytes, i);
+            __builtin_prefetch(&table.slots[(uint32_t)hashes[i - start] & table.mask], 1);
         }
         for (uint32_t i = start; i < end; i++) {
-            uint32_t slot = slots[i - start];
-            while (table.slots[slot] != none && !same_vertex(bytes, table.slots[slot], i)) {
+            const uint32_t mark = (uint32_t)(hashes[i - start] >> 32) & ~table.vertex_bits;
+            uint32_t slot = (uint32_t)hashes[i - start] & table.mask, found = table.slots[slot];
+            while (found != none && ((found & ~table.vertex_bits) != mark ||
+                                     !same_vertex(bytes, found & table.vertex_bits, i))) {
                 slot = (slot + 1) & table.mask;
+                found = table.slots[slot];
             }
-            table.slots[slot] = table.slots[slot] == none ? i : table.slots[slot];
-            first[i] = table.slots[slot];
+            if (found == none) {
+                table.slots[slot] = mark | i;
+                first[i] = i;
+            } else {
+                first[i] = found & table.vertex_bits;
+            }
         }
     }
     free(table.slots);
