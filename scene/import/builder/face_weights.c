@@ -3,6 +3,9 @@
 // faces of a batch, by loops over arrays that compilers make vectors of.
 #include "face_weights.h"
 
+#include <string.h>
+
+#include "rhw/shader_math.h"
 #include "vector.h"
 
 enum { BATCH = SCENE_FACE_BATCH };
@@ -75,7 +78,15 @@ static void weigh(double (*restrict a)[BATCH], double (*restrict b)[BATCH], doub
     }
 }
 
-void scene_face_batch_weigh(const struct scene_mesh *mesh, struct scene_face_batch *batch)
+static void find_batch_normals(const struct scene_mesh *mesh, struct scene_face_batch *batch)
+{
+    struct edges edges;
+    double areas[BATCH];
+    find_edges(mesh, batch, &edges);
+    find_normals(&edges, batch->normals, areas);
+}
+
+static void weigh_batch(const struct scene_mesh *mesh, struct scene_face_batch *batch)
 {
     struct edges edges;
     double areas[BATCH];
@@ -89,3 +100,42 @@ void scene_face_batch_weigh(const struct scene_mesh *mesh, struct scene_face_bat
     weigh(edges.ab, edges.bc, -1, areas, batch->weights[1]);
     weigh(edges.ac, edges.bc, 1, areas, batch->weights[2]);
 }
+
+static void add(const struct scene_face_batch *batch, struct scene_face_point *points)
+{
+    for (uint32_t i = 0; i < batch->count; i++) {
+        const rhw_double4 normal = {batch->normals[0][i], batch->normals[1][i], batch->normals[2][i], 1};
+        for (uint32_t k = 0; k < 3; k++) {
+            const double weight = batch->weights[k][i];
+            double *const sum = points[batch->points[i][k]].sum;
+            rhw_double4 sums;
+            memcpy(&sums, sum, sizeof sums);
+            sums += normal * (rhw_double4){weight, weight, weight, 1};
+            memcpy(sum, &sums, sizeof sums);
+        }
+    }
+}
+
+static void make_directions(struct scene_face_point *points, uint32_t count)
+{
+    double axes[3][BATCH] = {{0}};
+    for (uint32_t first = 0; first < count; first += BATCH) {
+        const uint32_t some = count - first < BATCH ? count - first : BATCH;
+        for (uint32_t i = 0; i < some; i++) {
+            axes[0][i] = points[first + i].sum[0];
+            axes[1][i] = points[first + i].sum[1];
+            axes[2][i] = points[first + i].sum[2];
+        }
+        make_unit(axes);
+        for (uint32_t i = 0; i < some; i++) {
+            points[first + i].sum[0] = axes[0][i];
+            points[first + i].sum[1] = axes[1][i];
+            points[first + i].sum[2] = axes[2][i];
+        }
+    }
+}
+
+extern const struct scene_face_functions RHW_ISA_NAME(scene_face_functions);
+
+const struct scene_face_functions RHW_ISA_NAME(scene_face_functions) = {
+    .find_normals = find_batch_normals, .weigh = weigh_batch, .add = add, .make_directions = make_directions};

@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "face_weights.h"
+#include "rhw/rhw.h"
 #include "vector.h"
 #include "vertices.h"
 
@@ -27,29 +28,25 @@ static const double usual_even_cosine = 0.8660254037844387;
 // are averaged.
 enum { MOST_FACES = 256 };
 
-// What is known of a point: of the first vertex at a place, in which all vertices there are one.
-struct point {
-    double axis[3];      // sum of the weighted normals of the faces around it, and then its direction
-    uint32_t face_count; // number of corners at it; later the new vertex of an even point
-    bool is_uneven;      // its corners are compared with each other
-};
-
 // A corner at an uneven point.
 struct corner {
     double weight;
-    uint32_t number; // place in the indices of the mesh
+    uint32_t number; // place among the corners of the faces that are kept
     uint32_t vertex; // its new vertex
 };
 
 struct smoothing {
     const struct scene_mesh *mesh;
+    const struct scene_face_functions *functions;
     double crease_cosine, even_cosine;
-    double (*faces)[3];       // unit normals
     const uint32_t *polygons; // polygon of each face; NULL if no face was cut from one
     bool *folded;             // faces next to a fold of their polygon; NULL if there are no polygons
     uint32_t *point;          // point of each vertex: the first vertex at its place
-    struct point *points;
-    uint32_t *start; // corners around an uneven point p are start[p] .. start[p + 1]
+    struct scene_face_point *points;
+    bool *uneven;                 // points whose corners are compared with each other
+    uint32_t *kept;               // faces with a corner at an uneven point
+    double (*normals_of_kept)[3]; // their unit normals
+    uint32_t *start;              // corners around an uneven point p are start[p] .. start[p + 1]
     struct corner *corners;
     uint32_t
         *newest; // number, from 1, of the last new vertex that was made from each vertex; 0 if there is none
@@ -68,66 +65,79 @@ static uint32_t point_of(const struct smoothing *smoothing, size_t corner)
     return smoothing->point[smoothing->mesh->indices[corner]];
 }
 
-// Even points ---------------------------------------------------------------------------------------
-
-static void add_batch(struct smoothing *smoothing, const struct scene_face_batch *batch)
+// Return where a corner of a face that is kept stands in the indices of the mesh.
+static size_t place_of(const struct smoothing *smoothing, uint32_t number)
 {
-    const uint32_t *const indices = smoothing->mesh->indices, *const point_of_vertex = smoothing->point;
-    struct point *const points = smoothing->points;
-    double(*const faces)[3] = smoothing->faces;
+    return 3 * (size_t)smoothing->kept[number / 3] + number % 3;
+}
+
+// Return the next batch of faces, the first of which is `first`, with their points.
+static void take_batch(const struct smoothing *smoothing, uint32_t first, struct scene_face_batch *batch)
+{
+    const uint32_t *const corners = smoothing->mesh->indices + 3 * (size_t)first;
+    const uint32_t total = face_total(smoothing);
+    batch->count = total - first < SCENE_FACE_BATCH ? total - first : SCENE_FACE_BATCH;
     for (uint32_t i = 0; i < batch->count; i++) {
-        const size_t face = batch->faces[i];
-        const double normal[3] = {batch->normals[0][i], batch->normals[1][i], batch->normals[2][i]};
-        memcpy(faces[face], normal, sizeof normal);
+        batch->faces[i] = first + i;
         for (uint32_t k = 0; k < 3; k++) {
-            struct point *const point = &points[point_of_vertex[indices[3 * face + k]]];
-            point->face_count++;
-            for (int c = 0; c < 3; c++) {
-                point->axis[c] += normal[c] * batch->weights[k][i];
-            }
+            batch->points[i][k] = smoothing->point[corners[3 * i + k]];
+            // Points come from memory while the batch is weighed.
+            __builtin_prefetch(&smoothing->points[batch->points[i][k]], 1);
         }
     }
 }
 
-// Find the normals of all faces and the axes of all points.
+// Even points ---------------------------------------------------------------------------------------
+
+// Find the axes of all points.
 static void sum_all(struct smoothing *smoothing)
 {
     const uint32_t total = face_total(smoothing);
     struct scene_face_batch batch;
     for (uint32_t face = 0; face < total; face += batch.count) {
-        batch.count = total - face < SCENE_FACE_BATCH ? total - face : SCENE_FACE_BATCH;
-        for (uint32_t i = 0; i < batch.count; i++) {
-            batch.faces[i] = face + i;
-            for (uint32_t k = 0; k < 3; k++) {
-                // Points come from memory while the batch is weighed.
-                __builtin_prefetch(&smoothing->points[point_of(smoothing, 3 * (size_t)(face + i) + k)], 1);
-            }
-        }
-        scene_face_batch_weigh(smoothing->mesh, &batch);
-        add_batch(smoothing, &batch);
+        take_batch(smoothing, face, &batch);
+        smoothing->functions->weigh(smoothing->mesh, &batch);
+        smoothing->functions->add(&batch, smoothing->points);
     }
-    for (uint32_t point = 0; point < smoothing->mesh->vertex_count; point++) {
-        scene_vector_unit(smoothing->points[point].axis);
-    }
-}
-
-// Return true if two faces are of one polygon, which is folded between them.
-static bool are_folded(const struct smoothing *smoothing, uint32_t a, uint32_t b)
-{
-    return smoothing->polygons != NULL && smoothing->polygons[a] == smoothing->polygons[b] &&
-           scene_dot(smoothing->faces[a], smoothing->faces[b]) < fold_cosine;
+    smoothing->functions->make_directions(smoothing->points, smoothing->mesh->vertex_count);
 }
 
 // Mark the faces next to folds. Faces of one polygon follow each other.
 static void find_folds(struct scene_import *import, struct smoothing *smoothing, const uint32_t *polygons)
 {
-    const uint32_t count = face_total(smoothing);
+    const uint32_t total = face_total(smoothing);
+    double before[3] = {0, 0, 0};
+    struct scene_face_batch batch;
     smoothing->polygons = polygons;
-    smoothing->folded =
-        polygons == NULL ? NULL : scene_import_allocate(import, count, sizeof *smoothing->folded);
-    for (uint32_t i = 1; polygons != NULL && i < count; i++) {
-        if (are_folded(smoothing, i - 1, i)) {
-            smoothing->folded[i - 1] = smoothing->folded[i] = true;
+    smoothing->folded = scene_import_allocate(import, total, sizeof *smoothing->folded);
+    for (uint32_t face = 0; face < total; face += batch.count) {
+        take_batch(smoothing, face, &batch);
+        smoothing->functions->find_normals(smoothing->mesh, &batch);
+        for (uint32_t i = 0; i < batch.count; i++) {
+            const uint32_t here = face + i;
+            const double normal[3] = {batch.normals[0][i], batch.normals[1][i], batch.normals[2][i]};
+            if (here > 0 && polygons[here - 1] == polygons[here] && scene_dot(before, normal) < fold_cosine) {
+                smoothing->folded[here - 1] = smoothing->folded[here] = true;
+            }
+            memcpy(before, normal, sizeof before);
+        }
+    }
+}
+
+// Mark the points from whose axis a face of a batch is more than 30°, or at which one is next to a fold.
+static void mark_uneven(struct smoothing *smoothing, const struct scene_face_batch *batch)
+{
+    const struct scene_face_point *const points = smoothing->points;
+    const bool *const folded = smoothing->folded;
+    const double even_cosine = smoothing->even_cosine;
+    for (uint32_t i = 0; i < batch->count; i++) {
+        const double normal[3] = {batch->normals[0][i], batch->normals[1][i], batch->normals[2][i]};
+        const bool is_folded = folded != NULL && folded[batch->faces[i]];
+        for (uint32_t k = 0; k < 3; k++) {
+            const uint32_t point = batch->points[i][k];
+            if (is_folded || !(scene_dot(points[point].sum, normal) >= even_cosine)) {
+                smoothing->uneven[point] |= points[point].sum[3] <= MOST_FACES;
+            }
         }
     }
 }
@@ -136,28 +146,20 @@ static void find_folds(struct scene_import *import, struct smoothing *smoothing,
 // two faces around another point are a crease apart. Return the number of corners at marked points.
 static uint32_t find_uneven(struct smoothing *smoothing)
 {
-    const struct scene_mesh *const mesh = smoothing->mesh;
-    struct point *const points = smoothing->points;
-    const uint32_t *const point_of_vertex = smoothing->point, total = face_total(smoothing);
-    double(*const faces)[3] = smoothing->faces;
-    const bool *const folded = smoothing->folded;
-    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
-        points[point_of_vertex[i]].is_uneven |= point_of_vertex[i] != i;
+    const uint32_t vertices = smoothing->mesh->vertex_count, total = face_total(smoothing);
+    bool *const uneven = smoothing->uneven;
+    for (uint32_t i = 0; i < vertices; i++) {
+        uneven[smoothing->point[i]] |= smoothing->point[i] != i;
     }
-    for (uint32_t face = 0; face < total; face++) {
-        const bool is_folded = folded != NULL && folded[face];
-        const double normal[3] = {faces[face][0], faces[face][1], faces[face][2]};
-        const uint32_t *const corners = mesh->indices + 3 * (size_t)face;
-        for (uint32_t k = 0; k < 3; k++) {
-            struct point *const point = &points[point_of_vertex[corners[k]]];
-            if (is_folded || !(scene_dot(point->axis, normal) >= smoothing->even_cosine)) {
-                point->is_uneven |= point->face_count <= MOST_FACES;
-            }
-        }
+    struct scene_face_batch batch;
+    for (uint32_t face = 0; face < total; face += batch.count) {
+        take_batch(smoothing, face, &batch);
+        smoothing->functions->find_normals(smoothing->mesh, &batch);
+        mark_uneven(smoothing, &batch);
     }
     uint32_t corners = 0;
-    for (uint32_t point = 0; point < mesh->vertex_count; point++) {
-        corners += points[point].is_uneven ? points[point].face_count : 0;
+    for (uint32_t point = 0; point < vertices; point++) {
+        corners += uneven[point] ? (uint32_t)smoothing->points[point].sum[3] : 0;
     }
     return corners;
 }
@@ -188,7 +190,7 @@ struct corners {
 
 static const double *face_of(const struct smoothing *smoothing, const struct corner *corner)
 {
-    return smoothing->faces[corner->number / 3];
+    return smoothing->normals_of_kept[corner->number / 3];
 }
 
 // Sum over the corners whose faces are no further than a crease from `axis`. If `axis` is NULL, sum over all.
@@ -217,20 +219,28 @@ static bool all_within(const struct smoothing *smoothing, struct corners corners
     return near == corners.count;
 }
 
+// Return true if the faces of two corners are of one polygon, which is folded between them.
+static bool are_folded(const struct smoothing *smoothing, const struct corner *a, const struct corner *b)
+{
+    const uint32_t *const polygons = smoothing->polygons, *const kept = smoothing->kept;
+    return polygons != NULL && polygons[kept[a->number / 3]] == polygons[kept[b->number / 3]] &&
+           scene_dot(face_of(smoothing, a), face_of(smoothing, b)) < fold_cosine;
+}
+
 // Return true if the faces of two corners at one point share an edge there that is no crease.
 static bool are_joined(const struct smoothing *smoothing, const struct corner *a, const struct corner *b)
 {
     const uint32_t corners[2] = {a->number, b->number};
     uint32_t ends[2][2]; // points at the other ends of each face's two edges
     for (int i = 0; i < 2; i++) {
-        const uint32_t first = corners[i] / 3 * 3;
+        const size_t first = place_of(smoothing, corners[i] / 3 * 3);
         for (uint32_t k = 0; k < 2; k++) {
             ends[i][k] = point_of(smoothing, first + (corners[i] + 1 + k) % 3);
         }
     }
     const bool meet = ends[0][0] == ends[1][0] || ends[0][0] == ends[1][1] || ends[0][1] == ends[1][0] ||
                       ends[0][1] == ends[1][1];
-    return meet && !are_folded(smoothing, corners[0] / 3, corners[1] / 3) &&
+    return meet && !are_folded(smoothing, a, b) &&
            scene_dot(face_of(smoothing, a), face_of(smoothing, b)) >= smoothing->crease_cosine;
 }
 
@@ -257,7 +267,7 @@ static bool are_even(const struct smoothing *smoothing, struct corners corners)
 {
     double axis[3];
     for (uint32_t i = 0; i < corners.count && smoothing->folded != NULL; i++) {
-        if (smoothing->folded[corners.list[i].number / 3]) {
+        if (smoothing->folded[smoothing->kept[corners.list[i].number / 3]]) {
             return false;
         }
     }
@@ -284,7 +294,8 @@ static void smooth_group(struct smoothing *smoothing, struct corners group, uint
             sum_faces(smoothing, group, face_of(smoothing, corner), sum);
             scene_vector_to_normal(sum, normal);
         }
-        corner->vertex = find_or_add(smoothing, first, smoothing->mesh->indices[corner->number], normal);
+        corner->vertex = find_or_add(smoothing, first,
+                                     smoothing->mesh->indices[place_of(smoothing, corner->number)], normal);
     }
 }
 
@@ -301,66 +312,70 @@ static void smooth_point(struct smoothing *smoothing, struct corners corners)
     }
 }
 
-// Take the corners at uneven points of the faces of a batch, weighed.
-static void take_corners(struct smoothing *smoothing, struct scene_face_batch *batch, uint32_t *next)
+// Keep the faces of a batch, of which as many as `kept` are kept already, and take their corners at uneven points.
+static void take_corners(struct smoothing *smoothing, struct scene_face_batch *batch, uint32_t kept,
+                         uint32_t *next)
 {
-    scene_face_batch_weigh(smoothing->mesh, batch);
-    for (uint32_t i = 0; i < batch->count; i++) {
+    smoothing->functions->weigh(smoothing->mesh, batch);
+    for (uint32_t i = 0; i < batch->count; i++, kept++) {
+        smoothing->kept[kept] = batch->faces[i];
         for (uint32_t k = 0; k < 3; k++) {
-            const uint32_t number = 3 * batch->faces[i] + k, point = point_of(smoothing, number);
-            if (smoothing->points[point].is_uneven) {
+            const uint32_t point = batch->points[i][k];
+            smoothing->normals_of_kept[kept][k] = batch->normals[k][i];
+            if (smoothing->uneven[point]) {
                 smoothing->corners[next[point]++] =
-                    (struct corner){.weight = batch->weights[k][i], .number = number};
+                    (struct corner){.weight = batch->weights[k][i], .number = 3 * kept + k};
             }
         }
     }
-    batch->count = 0;
 }
 
 // Sort the corners at uneven points by the point, by counting, and weigh them.
 static void sort_corners(struct scene_import *import, struct smoothing *smoothing, uint32_t corners)
 {
     const struct scene_mesh *mesh = smoothing->mesh;
-    const struct point *const points = smoothing->points;
+    const bool *const uneven = smoothing->uneven;
+    const uint32_t *const point_of_vertex = smoothing->point, total = face_total(smoothing);
+    const uint32_t most = corners < total ? corners : total; // faces that are kept
+    smoothing->kept = scene_import_allocate_any(import, most, sizeof *smoothing->kept);
+    smoothing->normals_of_kept = scene_import_allocate_any(import, most, sizeof *smoothing->normals_of_kept);
     smoothing->start =
         scene_import_allocate(import, (size_t)mesh->vertex_count + 2, sizeof *smoothing->start);
     smoothing->corners = scene_import_allocate_any(import, corners, sizeof *smoothing->corners);
     smoothing->newest = scene_import_allocate(import, mesh->vertex_count, sizeof *smoothing->newest);
-    uint32_t *next = smoothing->start + 1;
+    uint32_t *next = smoothing->start + 1, kept = 0;
     for (uint32_t point = 0; point < mesh->vertex_count; point++) {
-        next[point + 1] = next[point] + (points[point].is_uneven ? points[point].face_count : 0);
+        next[point + 1] = next[point] + (uneven[point] ? (uint32_t)smoothing->points[point].sum[3] : 0);
     }
     struct scene_face_batch batch = {.count = 0};
-    const uint32_t *const point_of_vertex = smoothing->point, total = face_total(smoothing);
     for (uint32_t face = 0; face < total; face++) {
         const uint32_t *const corner = mesh->indices + 3 * (size_t)face;
-        if (points[point_of_vertex[corner[0]]].is_uneven || points[point_of_vertex[corner[1]]].is_uneven ||
-            points[point_of_vertex[corner[2]]].is_uneven) {
+        const uint32_t points[3] = {point_of_vertex[corner[0]], point_of_vertex[corner[1]],
+                                    point_of_vertex[corner[2]]};
+        if (uneven[points[0]] || uneven[points[1]] || uneven[points[2]]) {
+            memcpy(batch.points[batch.count], points, sizeof points);
             batch.faces[batch.count++] = face;
         }
-        if (batch.count == SCENE_FACE_BATCH) {
-            take_corners(smoothing, &batch, next);
+        if (batch.count == SCENE_FACE_BATCH || (face == total - 1 && batch.count > 0)) {
+            take_corners(smoothing, &batch, kept, next);
+            kept += batch.count;
+            batch.count = 0;
         }
     }
-    if (batch.count > 0) {
-        take_corners(smoothing, &batch, next);
-    }
 }
-
-// Entry ---------------------------------------------------------------------------------------------
 
 // Make the new vertices, point by point. Set those of the corners at uneven points, and of each even point.
 static void make_vertices(struct smoothing *smoothing)
 {
     for (uint32_t number = 0; number < smoothing->mesh->vertex_count; number++) {
-        struct point *const point = &smoothing->points[number];
-        if (point->is_uneven) {
+        double *const sum = smoothing->points[number].sum;
+        if (smoothing->uneven[number]) {
             const uint32_t first = smoothing->start[number], end = smoothing->start[number + 1];
             smooth_point(smoothing, (struct corners){smoothing->corners + first, end - first});
-        } else if (point->face_count > 0) {
+        } else if (sum[3] > 0) {
             smoothing->source[smoothing->count] = number;
-            scene_vector_narrow(point->axis, smoothing->normals[smoothing->count]);
-            point->face_count = smoothing->count++;
+            scene_vector_narrow(sum, smoothing->normals[smoothing->count]);
+            sum[3] = smoothing->count++;
         }
     }
 }
@@ -369,25 +384,41 @@ static void make_vertices(struct smoothing *smoothing)
 static void number_corners(struct smoothing *smoothing, uint32_t *indices, uint32_t corners)
 {
     const uint32_t vertices = smoothing->mesh->vertex_count, count = smoothing->mesh->index_count;
-    const struct point *const points = smoothing->points;
+    const struct scene_face_point *const points = smoothing->points;
     const struct corner *const list = smoothing->corners;
     // The points of vertices are known no more then. A table of new vertices alone has an eighth of the bytes.
     uint32_t *const new_vertex = smoothing->point;
     for (uint32_t i = 0; i < vertices; i++) {
-        new_vertex[i] = points[new_vertex[i]].face_count;
+        new_vertex[i] = (uint32_t)points[new_vertex[i]].sum[3];
     }
     for (uint32_t i = 0; i < count; i++) {
         indices[i] = new_vertex[indices[i]];
     }
     for (uint32_t i = 0; i < corners; i++) {
-        indices[list[i].number] = list[i].vertex;
+        indices[place_of(smoothing, list[i].number)] = list[i].vertex;
     }
+}
+
+// Entry ---------------------------------------------------------------------------------------------
+
+// Return the functions of the best instruction set of the machine. All of them find the same.
+static const struct scene_face_functions *find_functions(void)
+{
+    static const struct scene_face_functions *const functions[RHW_ISA_COUNT] =
+        RHW_ISA_TABLE(&scene_face_functions);
+    int isa = RHW_ISA_COUNT - 1;
+    while (isa > RHW_ISA_BASELINE && (functions[isa] == NULL || !rhw_isa_supported((enum rhw_isa)isa))) {
+        isa--;
+    }
+    return functions[isa];
 }
 
 static void release(struct smoothing *smoothing)
 {
-    void *const arrays[] = {smoothing->faces, smoothing->folded,  smoothing->point,  smoothing->points,
-                            smoothing->start, smoothing->corners, smoothing->source, smoothing->newest};
+    void *const arrays[] = {smoothing->folded, smoothing->point,   smoothing->points,
+                            smoothing->uneven, smoothing->kept,    smoothing->normals_of_kept,
+                            smoothing->start,  smoothing->corners, smoothing->source,
+                            smoothing->newest};
     for (size_t i = 0; i < sizeof arrays / sizeof arrays[0]; i++) {
         free(arrays[i]);
     }
@@ -396,18 +427,22 @@ static void release(struct smoothing *smoothing)
 void scene_import_make_smooth(struct scene_import *import, struct scene_mesh *mesh, const uint32_t *polygons)
 {
     const uint32_t vertices = mesh->vertex_count;
-    struct smoothing smoothing = {
-        .mesh = mesh, .crease_cosine = usual_crease_cosine, .even_cosine = usual_even_cosine};
+    struct smoothing smoothing = {.mesh = mesh,
+                                  .functions = find_functions(),
+                                  .crease_cosine = usual_crease_cosine,
+                                  .even_cosine = usual_even_cosine};
     // The axis of faces that all meet within the angle is at most half of it away from each.
     if (import->has_creases) {
         smoothing.crease_cosine = import->crease_cosine;
         smoothing.even_cosine = sqrt((1 + import->crease_cosine) / 2);
     }
     smoothing.point = scene_import_weld_positions(import, mesh);
-    smoothing.faces = scene_import_allocate_any(import, face_total(&smoothing), sizeof *smoothing.faces);
     smoothing.points = scene_import_allocate(import, vertices, sizeof *smoothing.points);
+    smoothing.uneven = scene_import_allocate(import, vertices, sizeof *smoothing.uneven);
     sum_all(&smoothing);
-    find_folds(import, &smoothing, polygons);
+    if (polygons != NULL) {
+        find_folds(import, &smoothing, polygons);
+    }
     const uint32_t corners = find_uneven(&smoothing);
     // A new vertex is of a point, or of a corner at an uneven one.
     const size_t most = (size_t)vertices + corners;

@@ -5,7 +5,9 @@
 #include "import/blob.h"
 #include "import/builder/text_lines.h"
 #include "import/builder/vector.h"
+#include "import/builder/vertices.h"
 #include "model_files.h"
+#include "rhw/rhw.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -637,31 +639,75 @@ static void test_blob(void **state)
     free(original);
 }
 
-// A batch of faces is weighed as each face by itself, by the formulas of doubles, bit for bit. One face has no area,
-// and one batch is not full.
-static void test_batch_of_faces(void **state)
+// Of points at one place the first stands for all, also where one has 0 and another −0. Points at different places stay
+// apart, however many there are: their hashes alone would join some of these.
+static void test_points_at_one_place(void **state)
 {
     (void)state;
-    enum { FACES = SCENE_FACE_BATCH - 3 };
-    float positions[3 * FACES][3];
-    uint32_t indices[3 * FACES], random = 1;
-    for (uint32_t i = 0; i < 9 * FACES; i++) {
-        random = random * 1664525 + 1013904223;
-        positions[i / 3][i % 3] = i < 9 ? 1.0f : (float)(random >> 8) * 0x1p-20f - 8.0f;
-        indices[i / 3] = i / 3;
+    enum { COUNT = 200000, SAME = 7 };
+    struct scene_import import = {.read = NULL};
+    float(*const positions)[3] = malloc(COUNT * sizeof *positions);
+    for (uint32_t i = 0; i < COUNT; i++) {
+        positions[i][0] = (float)(i / SAME % 101) + 0.25f;
+        positions[i][1] = i % SAME == 3 ? -0.0f : 0.0f;
+        positions[i][2] = -0x1p-9f * (float)(i / SAME);
     }
-    const struct scene_mesh mesh = {
-        .indices = indices, .positions = positions, .vertex_count = 3 * FACES, .index_count = 3 * FACES};
-    struct scene_face_batch batch = {.count = FACES};
+    const struct scene_mesh mesh = {.positions = positions, .vertex_count = COUNT};
+    uint32_t *const first = scene_import_weld_positions(&import, &mesh);
+    for (uint32_t i = 0; i < COUNT; i++) {
+        assert_int_equal(first[i], i / SAME * SAME);
+    }
+    free(first);
+    for (uint32_t i = 0; i < COUNT; i++) {
+        positions[i][1] = (float)(i % SAME);
+    }
+    uint32_t *const own = scene_import_weld_positions(&import, &mesh);
+    for (uint32_t i = 0; i < COUNT; i++) {
+        assert_int_equal(own[i], i);
+    }
+    free(own);
+    free(positions);
+}
+
+enum { FACES = SCENE_FACE_BATCH - 3 };
+
+// Points of a batch of faces are summed as each face by itself, in the order of the faces, and then made unit vectors.
+static void assert_points(const struct scene_face_functions *functions, struct scene_face_batch *batch)
+{
+    enum { POINTS = SCENE_FACE_BATCH + 5 };
+    struct scene_face_point points[POINTS] = {{{0}}};
+    double sums[POINTS][4] = {{0}};
+    for (uint32_t i = 0; i < 3 * FACES; i++) {
+        const uint32_t point = i * i % (POINTS - 1);
+        batch->points[i / 3][i % 3] = point;
+        for (int c = 0; c < 3; c++) {
+            sums[point][c] += batch->normals[c][i / 3] * batch->weights[i % 3][i / 3];
+        }
+        sums[point][3]++;
+    }
+    functions->add(batch, points);
+    assert_memory_equal(points, sums, sizeof sums);
+    functions->make_directions(points, POINTS);
+    for (int i = 0; i < POINTS; i++) {
+        scene_vector_unit(sums[i]);
+    }
+    assert_memory_equal(points, sums, sizeof sums);
+}
+
+// Check what the functions of an instruction set find of a mesh.
+static void assert_batch(const struct scene_face_functions *functions, const struct scene_mesh *mesh)
+{
+    struct scene_face_batch batch = {.count = FACES}, normals = {.count = FACES};
     for (uint32_t i = 0; i < FACES; i++) {
-        batch.faces[i] = i;
+        batch.faces[i] = normals.faces[i] = i;
     }
-    scene_face_batch_weigh(&mesh, &batch);
+    functions->weigh(mesh, &batch);
+    functions->find_normals(mesh, &normals);
     for (uint32_t i = 0; i < FACES; i++) {
         double ab[3], ac[3], bc[3], normal[3];
-        scene_vector_between(positions[3 * i], positions[3 * i + 1], ab);
-        scene_vector_between(positions[3 * i], positions[3 * i + 2], ac);
-        scene_vector_between(positions[3 * i + 1], positions[3 * i + 2], bc);
+        scene_vector_between(mesh->positions[3 * i], mesh->positions[3 * i + 1], ab);
+        scene_vector_between(mesh->positions[3 * i], mesh->positions[3 * i + 2], ac);
+        scene_vector_between(mesh->positions[3 * i + 1], mesh->positions[3 * i + 2], bc);
         scene_cross(ab, ac, normal);
         const double area = __builtin_sqrt(scene_dot(normal, normal));
         scene_vector_unit(ab);
@@ -673,12 +719,38 @@ static void test_batch_of_faces(void **state)
         for (int c = 0; c < 3; c++) {
             assert_true(batch.weights[c][i] == weights[c]);
             assert_true(batch.normals[c][i] == (area > 0 ? normal[c] / area : 0));
+            assert_true(normals.normals[c][i] == batch.normals[c][i]);
+        }
+    }
+    assert_points(functions, &batch);
+}
+
+// A batch of faces is weighed as each face by itself, by the formulas of doubles, bit for bit, on all instruction sets.
+// One face has no area, and one batch is not full.
+static void test_batch_of_faces(void **state)
+{
+    (void)state;
+    static const struct scene_face_functions *const functions[RHW_ISA_COUNT] =
+        RHW_ISA_TABLE(&scene_face_functions);
+    float positions[3 * FACES][3];
+    uint32_t indices[3 * FACES], random = 1;
+    for (uint32_t i = 0; i < 9 * FACES; i++) {
+        random = random * 1664525 + 1013904223;
+        positions[i / 3][i % 3] = i < 9 ? 1.0f : (float)(random >> 8) * 0x1p-20f - 8.0f;
+        indices[i / 3] = i / 3;
+    }
+    const struct scene_mesh mesh = {
+        .indices = indices, .positions = positions, .vertex_count = 3 * FACES, .index_count = 3 * FACES};
+    for (int isa = 0; isa < RHW_ISA_COUNT; isa++) {
+        if (functions[isa] != NULL && rhw_isa_supported((enum rhw_isa)isa)) {
+            assert_batch(functions[isa], &mesh);
         }
     }
 }
 
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_batch_of_faces),
+    cmocka_unit_test(test_points_at_one_place),
     cmocka_unit_test(test_numbers),
     cmocka_unit_test(test_polygons),
     cmocka_unit_test(test_large_polygons),
