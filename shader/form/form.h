@@ -289,6 +289,11 @@ static inline bool shader_opens(uint32_t op)
     return op == SHADER_IF || op == SHADER_REGION || op == SHADER_LOOP;
 }
 
+static inline bool shader_closes(uint32_t op)
+{
+    return op == SHADER_END_IF || op == SHADER_END_REGION || op == SHADER_END_LOOP;
+}
+
 // Return true if operand 0 is the place of a list.
 static inline bool shader_op_has_list(enum shader_op op)
 {

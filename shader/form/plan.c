@@ -4,11 +4,6 @@
 
 enum { WORTH_A_STEP = 60 };
 
-static bool closes(enum shader_op op)
-{
-    return op == SHADER_END_IF || op == SHADER_END_REGION || op == SHADER_END_LOOP;
-}
-
 static bool is_uniform(const struct shader_plan *plan, uint32_t value)
 {
     return (plan->form->nodes[value].flags & SHADER_UNIFORM) != 0;
@@ -31,7 +26,7 @@ static void find_structures(struct shader_memory *memory, struct shader_plan *pl
         const enum shader_op op = shader_op_at(plan, i);
         const struct shader_node *const node = &form->nodes[form->code[i]];
         plan->place[form->code[i]] = i;
-        if (closes(op)) {
+        if (shader_closes(op)) {
             plan->structures[stack[--depth]].end = i;
         } else if (op == SHADER_ELSE) {
             plan->structures[stack[depth - 1]].otherwise = i;
@@ -61,13 +56,14 @@ static void find_wide(struct shader_memory *memory, struct shader_plan *plan)
             const bool leaves_wide =
                 op == SHADER_LEAVE &&
                 plan->structures[plan->place[form->nodes[form->code[i]].operands[0]]].is_wide;
-            for (uint32_t d = 0; (leaves_wide || shader_is_cut(plan, i)) && d < depth; d++) {
+            const bool is_cut = shader_is_cut(plan, i) || plan->is_step[i];
+            for (uint32_t d = 0; (leaves_wide || is_cut) && d < depth; d++) {
                 changed = changed || !plan->structures[stack[d]].is_wide;
                 plan->structures[stack[d]].is_wide = true;
             }
             if (shader_opens(op)) {
                 stack[depth++] = i;
-            } else if (closes(op)) {
+            } else if (shader_closes(op)) {
                 depth--;
             }
         }
@@ -103,7 +99,7 @@ static void find_together(struct shader_memory *memory, struct shader_plan *plan
             }
             if (shader_opens(op)) {
                 stack[depth++] = i;
-            } else if (closes(op)) {
+            } else if (shader_closes(op)) {
                 depth--;
             }
         }
@@ -128,7 +124,7 @@ static void find_losses(struct shader_memory *memory, struct shader_plan *plan)
         }
         if (shader_opens(op)) {
             stack[depth++] = i;
-        } else if (closes(op)) {
+        } else if (shader_closes(op)) {
             depth--;
         }
     }
@@ -194,17 +190,32 @@ static uint32_t cycles_of(enum shader_op op)
     }
 }
 
-// Put steps in front of functions that would wait long in their run, outside of structure. Groups whose lanes are all
-// discarded would go through the steps behind, so such code has none.
-static void find_steps(struct shader_memory *memory, struct shader_plan *plan)
+// Return true where steps may stand in structure: all lanes of a call go through it round by round, or lanes part in an
+// IF of a round.
+static bool goes_together(const struct shader_plan *plan, uint32_t place)
+{
+    return shader_op_at(plan, place) == SHADER_IF || is_uniform(plan, plan->form->code[place]);
+}
+
+// Put steps in front of functions that would wait long in their run: outside of structure, and in loops that all lanes
+// leave together. Groups whose lanes are all discarded would go through the steps behind, so such code has none.
+static bool find_steps(struct shader_memory *memory, struct shader_plan *plan)
 {
     const struct shader_program *const form = plan->form;
     uint32_t *const ready = shader_take(memory, form->node_count, sizeof *ready);
-    uint32_t depth = 0, first = 0;
+    uint32_t *const stack = shader_take(memory, SHADER_MAX_DEPTH + 2, sizeof *stack);
+    uint32_t depth = 0, first = 0, loop = 0, apart = 0;
+    bool has_inner = false;
     for (uint32_t i = 0; i < form->code_count && !plan->loses_lanes; i++) {
         const enum shader_op op = shader_op_at(plan, i);
-        depth += shader_opens(op) ? 1 : 0;
-        depth -= closes(op) ? 1 : 0;
+        if (shader_opens(op)) {
+            stack[depth++] = loop;
+            apart += apart > 0 || !goes_together(plan, i) ? 1 : 0;
+            loop = op == SHADER_LOOP ? i : loop;
+        } else if (shader_closes(op)) {
+            loop = stack[--depth];
+            apart -= apart > 0 ? 1 : 0;
+        }
         if (plan->is_hoisted[form->code[i]]) {
             continue;
         }
@@ -212,16 +223,31 @@ static void find_steps(struct shader_memory *memory, struct shader_plan *plan)
         const uint32_t *const operands = operands_at(plan, i, &count);
         for (uint32_t o = 0; o < count; o++) {
             const uint32_t at = plan->place[operands[o]];
-            const bool is_near = at != SHADER_NONE && at >= first && !plan->is_hoisted[operands[o]];
+            const bool is_near =
+                at != SHADER_NONE && at >= first && at >= loop && !plan->is_hoisted[operands[o]];
             start = is_near && ready[operands[o]] > start ? ready[operands[o]] : start;
         }
-        if (depth == 0 && is_mathematics(op) && start >= WORTH_A_STEP) {
+        const bool may_stand = depth == 0 || (apart == 0 && loop > 0);
+        if (may_stand && is_mathematics(op) && !is_uniform(plan, form->code[i]) && start >= WORTH_A_STEP) {
             plan->is_step[i] = plan->has_cuts = true;
+            has_inner = has_inner || depth > 0;
             first = i;
             start = 0;
         }
         ready[form->code[i]] = start + cycles_of(op);
     }
+    return has_inner;
+}
+
+bool shader_is_decided(const struct shader_plan *plan, uint32_t place)
+{
+    if (shader_op_at(plan, place) != SHADER_IF || !plan->structures[place].is_wide ||
+        plan->structures[place].is_uniform || !plan->has_steps || place == 0) {
+        return false;
+    }
+    const uint32_t condition = plan->form->nodes[plan->form->code[place]].operands[0];
+    const uint32_t at = plan->place[condition];
+    return at != SHADER_NONE && plan->run[at] != SHADER_NONE && plan->run[at] == plan->run[place - 1];
 }
 
 // Number the runs from a place to another. Return the number of the run that is open at the end.
@@ -233,6 +259,9 @@ static uint32_t number_runs(struct shader_plan *plan, uint32_t begin, uint32_t e
         if (shader_is_cut(plan, i)) {
             plan->run[i] = op == SHADER_BARRIER ? SHADER_NONE : run + 1; // an atomic is a run of its own
             run += 2;
+        } else if (shader_is_joint_in_order(plan, i)) {
+            plan->run[i] = SHADER_NONE;
+            run++;
         } else if (shader_is_wide(plan, i)) {
             const struct shader_structure *const structure = &plan->structures[i];
             plan->run[i] = SHADER_NONE;
@@ -272,7 +301,7 @@ static void place_homes(struct shader_memory *memory, struct shader_plan *plan)
         const uint32_t *const operands = operands_at(plan, i, &count);
         for (uint32_t o = 0; o < count; o++) {
             const uint32_t home = operands[o];
-            if (form->nodes[home].op != SHADER_HOME) {
+            if (form->nodes[home].op != SHADER_HOME || plan->is_joint[home]) {
                 continue;
             }
             const bool is_alone = (!is_seen[home] || plan->home_run[home] == plan->run[i]) && wide_loops == 0;
@@ -282,7 +311,7 @@ static void place_homes(struct shader_memory *memory, struct shader_plan *plan)
         if (shader_opens(op)) {
             stack[depth++] = i;
             wide_loops += op == SHADER_LOOP && plan->structures[i].is_wide ? 1 : 0;
-        } else if (closes(op)) {
+        } else if (shader_closes(op)) {
             depth--;
             wide_loops -= op == SHADER_END_LOOP && plan->structures[stack[depth]].is_wide ? 1 : 0;
         }
@@ -308,7 +337,8 @@ static void find_kept(struct shader_memory *memory, struct shader_plan *plan)
         const uint32_t *const operands = operands_at(plan, i, &count);
         for (uint32_t o = 0; o < count; o++) {
             const uint32_t at = plan->place[operands[o]];
-            if (at != SHADER_NONE && !plan->is_hoisted[operands[o]] && plan->run[at] != plan->run[i]) {
+            if (at != SHADER_NONE && !plan->is_hoisted[operands[o]] && !plan->is_joint[operands[o]] &&
+                plan->run[at] != plan->run[i] && !shader_is_decided(plan, i)) {
                 plan->is_kept[operands[o]] = true;
             }
         }
@@ -333,8 +363,7 @@ uint32_t shader_resource_of(const struct shader_plan *plan, uint32_t value)
 
 // What is computed once ------------------------------------------------------------------------------
 
-// Nobody writes the memory while the shader runs, as far as it can tell.
-static bool is_constant_memory(const struct shader_plan *plan, uint32_t buffer)
+bool shader_is_constant_memory(const struct shader_plan *plan, uint32_t buffer)
 {
     const struct shader_node *const node = shader_resource_node(plan->form, buffer);
     if (node->op == SHADER_PUSH || node->op == SHADER_TABLE) {
@@ -356,7 +385,7 @@ static void find_hoisted(struct shader_plan *plan)
         const enum shader_op_kind kind = shader_op_kind_of(op);
         bool is_once = is_uniform(plan, value) &&
                        (kind == SHADER_KIND_VALUE || op == SHADER_LENGTH || op == SHADER_COPY ||
-                        (op == SHADER_LOAD && is_constant_memory(plan, node->operands[0])));
+                        (op == SHADER_LOAD && shader_is_constant_memory(plan, node->operands[0])));
         uint32_t count;
         const uint32_t *const operands = operands_at(plan, i, &count);
         for (uint32_t o = 0; o < count; o++) {
@@ -373,6 +402,7 @@ void shader_make_plan(struct shader_memory *memory, const struct shader_program 
 {
     const uint32_t nodes = form->node_count, places = form->code_count + 1;
     *plan = (struct shader_plan){.form = form,
+                                 .has_steps = has_steps,
                                  .structures = shader_take(memory, places, sizeof *plan->structures),
                                  .place = shader_take(memory, nodes, sizeof(uint32_t)),
                                  .block = shader_take(memory, places, sizeof(uint32_t)),
@@ -381,6 +411,7 @@ void shader_make_plan(struct shader_memory *memory, const struct shader_program 
                                  .uses = shader_take(memory, nodes, sizeof(uint32_t)),
                                  .last_use = shader_take(memory, nodes, sizeof(uint32_t)),
                                  .is_hoisted = shader_take(memory, nodes, sizeof(bool)),
+                                 .is_joint = shader_take(memory, nodes, sizeof(bool)),
                                  .is_kept = shader_take(memory, nodes, sizeof(bool)),
                                  .home_run = shader_take(memory, nodes, sizeof(uint32_t))};
     for (uint32_t value = 0; value < nodes; value++) {
@@ -397,10 +428,16 @@ void shader_make_plan(struct shader_memory *memory, const struct shader_program 
     find_hoisted(plan);
     const bool meets = plan->has_cuts;
     // With steps each group would have the memory of the lanes to itself.
-    if (has_steps && form->private_count == 0) {
-        find_steps(memory, plan);
+    if (has_steps && form->private_count == 0 && find_steps(memory, plan)) {
+        find_structures(memory, plan);
+        find_wide(memory, plan);
+        find_together(memory, plan);
+        find_losses(memory, plan);
     }
     plan->has_steps_alone = plan->has_cuts && !meets;
+    if (has_steps && plan->has_cuts) {
+        shader_find_joint(memory, plan);
+    }
     const uint32_t last_run = number_runs(plan, 0, form->code_count, 0);
     plan->first_home = shader_take(memory, last_run + 1, sizeof(uint32_t));
     plan->next_home = shader_take(memory, nodes, sizeof(uint32_t));

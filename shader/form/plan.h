@@ -8,7 +8,8 @@
 // there is one run.
 //
 // A group by itself may be one long chain of operations that wait for each other. A step ends a run in front of a
-// function that would wait long, so that the processor computes it of many groups at the same time.
+// function that would wait long, so that the processor computes it of many groups at the same time. A loop around a
+// step is wide, so each of its rounds is done for all groups: what they share is computed between runs, once.
 #ifndef SHADER_PLAN_H
 #define SHADER_PLAN_H
 
@@ -34,12 +35,14 @@ struct shader_plan {
     bool *is_step;             // by place: a run begins here, for speed
     uint32_t *uses, *last_use; // by value: how often it is read, and a place where it is read
     bool *is_hoisted;          // by value: it is computed once a call
-    bool *is_kept;             // by value: it has an element for each group
-    uint32_t *home_run;        // by value: the run that a home belongs to; SHADER_NONE: it is kept
-    uint32_t *first_home;      // by run: the first of its homes, counted from 1
-    uint32_t *next_home;       // by value: the next home of its run, counted from 1
+    bool *is_joint;       // by value: all groups share it, and it is computed or set once where it stands
+    bool *is_kept;        // by value: it has an element for each group
+    uint32_t *home_run;   // by value: the run that a home belongs to; SHADER_NONE: it is kept
+    uint32_t *first_home; // by run: the first of its homes, counted from 1
+    uint32_t *next_home;  // by value: the next home of its run, counted from 1
     bool has_cuts, has_effects, loses_lanes; // steps are among the cuts
     bool has_steps_alone;                    // it shows nowhere how many groups go through the code together
+    bool has_steps;                          // as was asked for
 };
 
 static inline enum shader_op shader_op_at(const struct shader_plan *plan, uint32_t place)
@@ -49,6 +52,14 @@ static inline enum shader_op shader_op_at(const struct shader_plan *plan, uint32
 
 bool shader_is_cut(const struct shader_plan *plan, uint32_t place);
 bool shader_is_wide(const struct shader_plan *plan, uint32_t place);
+// Return true for memory that nobody writes while the shader runs, as far as it can tell.
+bool shader_is_constant_memory(const struct shader_plan *plan, uint32_t buffer);
+// joint.c: find what is joint, once wide structure is known.
+void shader_find_joint(struct shader_memory *memory, struct shader_plan *plan);
+// Return true for what is joint and has to stay where it is: it sets a home, or reads memory that changes.
+bool shader_is_joint_in_order(const struct shader_plan *plan, uint32_t place);
+// Return true for wide structure that asks for lanes of which the run before it computes the condition.
+bool shader_is_decided(const struct shader_plan *plan, uint32_t place);
 // Return true for the home of a resource that is found once a call, which serves everywhere in the place of its home.
 bool shader_is_resource_home(const struct shader_plan *plan, uint32_t value);
 // Return the BUFFER, PUSH or WORKGROUP that a value is, or the home that keeps an element that lanes name.

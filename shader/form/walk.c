@@ -56,9 +56,36 @@ void shader_walk_narrow(struct shader_walk *walk, uint32_t begin, uint32_t end, 
     walk_dead(walk, i, end);
 }
 
+static void write_joint(struct shader_walk *walk, uint32_t place)
+{
+    walk->node(walk->user, place);
+    walk->is_unsettled = true;
+}
+
+static void settle(struct shader_walk *walk)
+{
+    if (walk->is_unsettled) {
+        walk->is_unsettled = false;
+        walk->settle(walk->user);
+    }
+}
+
+// Write all joint values of the run that begins at a place, because they need nothing of the run.
+static void write_ahead(struct shader_walk *walk, uint32_t begin)
+{
+    const struct shader_plan *const plan = walk->plan;
+    for (uint32_t i = begin; i < plan->form->code_count && plan->run[i] == plan->run[begin]; i++) {
+        if (plan->is_joint[plan->form->code[i]]) {
+            write_joint(walk, i);
+        }
+    }
+}
+
 static void open_run(struct shader_walk *walk, uint32_t place)
 {
     if (!walk->is_run_open) {
+        write_ahead(walk, place);
+        settle(walk);
         walk->is_run_open = true;
         walk->open_run(walk->user, place);
     }
@@ -76,7 +103,11 @@ static void close_run(struct shader_walk *walk)
 static uint32_t walk_wide_item(struct shader_walk *walk, uint32_t place)
 {
     const enum shader_op op = shader_op_at(walk->plan, place);
+    if (walk->is_run_open && shader_is_decided(walk->plan, place)) {
+        walk->decide(walk->user, place);
+    }
     close_run(walk);
+    settle(walk);
     if (op == SHADER_BARRIER) {
         if (walk->barrier) {
             walk->barrier(walk->user);
@@ -105,6 +136,14 @@ void shader_walk_wide(struct shader_walk *walk, uint32_t begin, uint32_t end)
             i = walk_wide_item(walk, i);
         } else if (is_written_before(walk, i)) {
             i++;
+        } else if (walk->plan->is_joint[walk->plan->form->code[i]]) {
+            if (shader_is_joint_in_order(walk->plan, i)) {
+                close_run(walk);
+            }
+            if (!walk->is_run_open) {
+                write_joint(walk, i);
+            }
+            i++;
         } else {
             if (walk->plan->is_step[i]) {
                 close_run(walk);
@@ -114,5 +153,6 @@ void shader_walk_wide(struct shader_walk *walk, uint32_t begin, uint32_t end)
         }
     }
     close_run(walk);
+    settle(walk);
     walk_dead(walk, i, end);
 }

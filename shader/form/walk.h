@@ -24,9 +24,13 @@ struct shader_walk {
     void (*leave_wide)(void *user, uint32_t place);
     void (*open_run)(void *user, uint32_t place);
     void (*close_run)(void *user);
+    // Of a plan with joint values: behind nodes that were written between runs, and where the condition of wide
+    // structure at a place is known, before the run that computes it is closed.
+    void (*settle)(void *user);
+    void (*decide)(void *user, uint32_t place);
     // Where no lane is active, go to the end of the structure at a place; SHADER_NONE: to that of the group.
     void (*skip)(void *user, uint32_t structure);
-    bool is_run_open;
+    bool is_run_open, is_unsettled; // nodes were written between runs and are not settled
 };
 
 // Walk a block inside of a run, in structure that jumps may leave for its end, or in none.

@@ -9,8 +9,7 @@
 
 // Masks ----------------------------------------------------------------------------------------------
 
-// Return a new mask of the lanes of `mask` that are in another value too, or that are not.
-static uint32_t and_mask(struct shader_generator *g, uint32_t mask, uint32_t other, bool is_not)
+uint32_t shader_and_mask(struct shader_generator *g, uint32_t mask, uint32_t other, bool is_not)
 {
     const uint32_t result = shader_new_value(g);
     const int a = shader_in_register(g, is_not ? other : mask);
@@ -48,8 +47,7 @@ static void change_mask(struct shader_generator *g, unsigned instruction, uint32
     shader_unlock(g);
 }
 
-// Set the flag of zero where a mask has no lane.
-static void test_mask(struct shader_generator *g, uint32_t mask)
+void shader_test_mask(struct shader_generator *g, uint32_t mask)
 {
     const int reg = shader_in_register(g, mask);
     shader_put(g, X86_VTESTPS, reg, 0, x86_reg(reg));
@@ -59,7 +57,7 @@ static void test_mask(struct shader_generator *g, uint32_t mask)
 void shader_test_alike(struct shader_generator *g, uint32_t truth)
 {
     if (g->values[truth].reg >= 0 || g->form->nodes[truth].op == SHADER_CONSTANT) {
-        test_mask(g, truth);
+        shader_test_mask(g, truth);
     } else {
         shader_encode(&g->code, X86_CMP_I, 0, 0, shader_home_of(g, truth), 0);
     }
@@ -77,7 +75,7 @@ static void take_mask(struct shader_generator *g, uint32_t mask)
 // Behind structure that loses lanes, those are active that came in and are alive.
 static void go_on_alive(struct shader_generator *g)
 {
-    take_mask(g, and_mask(g, g->mask, g->alive, false));
+    take_mask(g, shader_and_mask(g, g->mask, g->alive, false));
 }
 
 // Nodes of flow --------------------------------------------------------------------------------------
@@ -200,12 +198,12 @@ static void generate_if(struct shader_generator *g, uint32_t place)
     if (structure->is_uniform) {
         shader_test_alike(g, condition);
     } else {
-        inside = and_mask(g, before, condition, false);
+        inside = shader_and_mask(g, before, condition, false);
         g->values[inside].end = has_else ? UINT32_MAX : middle - 1;
         g->divergence++;
     }
     if (!structure->is_uniform && !is_short) {
-        test_mask(g, inside);
+        shader_test_mask(g, inside);
     }
     if (!is_short) {
         shader_edge_jump_if(g, X86_EQUAL, otherwise, middle);
@@ -222,8 +220,8 @@ static void generate_if(struct shader_generator *g, uint32_t place)
         generate_branch(g, middle + 1, structure->end, before);
     } else if (has_else) {
         come_together(g, otherwise, middle);
-        const uint32_t outside = and_mask(g, before, inside, true);
-        test_mask(g, outside);
+        const uint32_t outside = shader_and_mask(g, before, inside, true);
+        shader_test_mask(g, outside);
         shader_edge_jump_if(g, X86_EQUAL, end, structure->end);
         generate_branch(g, middle + 1, structure->end, outside);
         shader_drop_value(g, outside);
@@ -329,7 +327,7 @@ static void generate_loop(struct shader_generator *g, uint32_t place)
     begin_leaving(g, place);
     if (structure
             ->is_uniform) { // no lane may be active, and then memory that lanes would write does not change
-        test_mask(g, before);
+        shader_test_mask(g, before);
         shader_edge_jump_if(g, X86_EQUAL, g->ends[place], end);
     }
     const uint32_t round = copy_mask(g, before);
@@ -350,7 +348,7 @@ static void generate_loop(struct shader_generator *g, uint32_t place)
         }
         take_mask(g, round);
         if (is_changed || !structure->is_uniform) {
-            test_mask(g, round);
+            shader_test_mask(g, round);
             shader_edge_jump_if(g, X86_EQUAL, g->ends[place], end);
         }
         shader_flush(g, end);
@@ -371,7 +369,7 @@ static void generate_loop(struct shader_generator *g, uint32_t place)
 void shader_skip_rest(void *user, uint32_t structure)
 {
     struct shader_generator *const g = user;
-    test_mask(g, g->mask);
+    shader_test_mask(g, g->mask);
     if (structure == SHADER_NONE) {
         shader_edge_jump_if(g, X86_EQUAL, g->group_end, g->form->code_count);
     } else {

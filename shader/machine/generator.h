@@ -23,9 +23,8 @@ struct shader_machine_frame {
     struct shader_together together;
     uint32_t count;  // groups of the call that are left
     uint32_t batch;  // as many groups go through the code together at most
-    uint32_t left;   // groups of a run that are left
+    uint32_t left;   // groups of a run that are left; of a list: the number of the entry
     uint32_t rounds; // rounds of loops until the next question
-    rhw_int any;     // lanes that a loop over groups found
     struct shader_request request;
 };
 
@@ -64,6 +63,19 @@ struct shader_edge {
     uint32_t holds[REGISTERS];
 };
 
+// A loop over groups: what its code does without.
+struct shader_groups {
+    uint32_t again; // the label that it goes back to
+    bool is_plain;  // it makes no call, so that integer registers stay
+    bool is_bare;   // it needs the record of a group alone
+    bool lists;     // it writes a list
+};
+
+// Where the library has what a stage works on, in a group.
+struct shader_layout {
+    int32_t size, mask, inputs, outputs;
+};
+
 struct shader_generator {
     struct shader_memory *memory;
     struct shader_encoder code;
@@ -86,18 +98,23 @@ struct shader_generator {
     uint32_t own;                          // offset of the lanes' memory, in the frame or record
     // Structure
     struct shader_walk walk;
-    uint32_t mask, alive;          // values: active lanes, and those that have not left
-    uint32_t block_mask;           // the mask with which the block began
-    uint32_t run_mask;             // the mask with which the run began
-    uint32_t divergence;           // structures around this place whose lanes go different ways
-    uint32_t loop_depth;           // loops of the run around this place
-    bool is_dead;                  // no lane comes to this place
-    bool is_gone;                  // code does not come to this place
-    struct shader_edge *loop;      // the begin of the innermost loop of the run, or NULL
-    uint32_t group_loop;           // label where a loop over groups goes back to
-    uint32_t exit;                 // label of the end of the function
-    struct shader_edge *group_end; // where the code of a group ends
-    struct shader_edge **ends;     // by place of structure: where it ends
+    uint32_t mask, alive;        // values: active lanes, and those that have not left
+    uint32_t block_mask;         // the mask with which the block began
+    uint32_t run_mask;           // the mask with which the run began
+    uint32_t inside;             // mask of the wide IF behind the run, if that computes it; or SHADER_NONE
+    uint32_t divergence;         // structures around this place whose lanes go different ways
+    uint32_t loop_depth;         // loops of the run around this place
+    bool is_dead;                // no lane comes to this place
+    bool is_gone;                // code does not come to this place
+    struct shader_edge *loop;    // the begin of the innermost loop of the run, or NULL
+    struct shader_groups groups; // the loop over groups around this place
+    uint32_t list; // the groups that code goes through: an offset in the frame, or 0, all of them
+    uint32_t *lists,
+        list_depth;         // by wide IFs around whose lanes part: the list of one; and the number of these
+    uint32_t group_pointer; // place of a pointer to the group in its record
+    uint32_t exit;          // label of the end of the function
+    struct shader_edge *group_begin, *group_end; // where the code of a group begins and ends
+    struct shader_edge **ends;                   // by place of structure: where it ends
     uint32_t *left;   // by place of structure: the lanes that have left, or those that were alive before
     bool has_records; // r15 is the group's
     struct shader_group_sample samples[SHADER_MAX_GROUP_SAMPLES];
@@ -168,6 +185,8 @@ static inline void shader_put(struct shader_generator *g, unsigned instruction, 
 bool shader_select_arithmetic(struct shader_generator *g, uint32_t value);
 // Return true for arithmetic that is one fast instruction.
 bool shader_is_instruction(const struct shader_generator *g, uint32_t value);
+// Return true for what makes no call and needs the record of its group alone, but for its operands.
+bool shader_is_bare(const struct shader_generator *g, uint32_t value);
 
 // Load the words at rax + 4 × index, of lanes that are in a mask, which is lost. Others get 0.
 static inline void shader_put_gather(struct shader_generator *g, int result, int index, int mask)
@@ -262,6 +281,10 @@ void shader_generate_node(struct shader_generator *g, uint32_t place);
 // Functions of struct shader_walk, for narrow structure.
 void shader_generate_structure(void *user, uint32_t place);
 void shader_skip_rest(void *user, uint32_t structure);
+// Set the flag of zero where a mask has no lane.
+void shader_test_mask(struct shader_generator *g, uint32_t mask);
+// Return a new mask of the lanes of `mask` that are in another value too, or that are not.
+uint32_t shader_and_mask(struct shader_generator *g, uint32_t mask, uint32_t other, bool is_not);
 // Where a loop has gone round often, leave the function if the work is given up.
 void shader_generate_giving_up(struct shader_generator *g, const struct shader_edge *edge);
 // Set flags by a truth that all lanes of the call share: zero where it is false.
@@ -272,13 +295,25 @@ void shader_test_alike(struct shader_generator *g, uint32_t truth);
 // Write the whole code, loops over groups with it.
 void shader_generate_code(struct shader_generator *g);
 
+// groups.c -------------------------------------------------------------------------------------------
+
+// Begin and end a loop over the groups that go through the code together, or over those of the list that was entered.
+void shader_open_groups(struct shader_generator *g, const struct shader_groups *groups);
+void shader_close_groups(struct shader_generator *g);
+// In a loop that writes a list: put the group there if it has a lane in a mask, which is in a register. Nobody can tell
+// before which groups have one, so there is no jump.
+void shader_list_group(struct shader_generator *g, int mask);
+// Set the flag of zero where the list that was written has no group.
+void shader_test_list(struct shader_generator *g);
+// What follows goes through the groups of the list that was written, until that is left.
+void shader_enter_list(struct shader_generator *g);
+void shader_leave_list(struct shader_generator *g);
+// Let registers point to the first group.
+void shader_put_first_group(struct shader_generator *g);
+
 // stage.c --------------------------------------------------------------------------------------------
 
-// Begin and end a loop over the groups that go through the code together.
-void shader_open_groups(struct shader_generator *g);
-void shader_close_groups(struct shader_generator *g);
-// Return where the mask of a group lies in it.
-int32_t shader_mask_offset(const struct shader_generator *g);
+const struct shader_layout *shader_layout_of(const struct shader_generator *g);
 // Set the memory of the lanes of a group to 0.
 void shader_clear_own(struct shader_generator *g);
 

@@ -110,7 +110,7 @@ static void list_ends(struct shader_generator *g)
     for (uint32_t value = 0; value < form->node_count; value++) {
         struct shader_machine_value *const v = &g->values[value];
         const bool is_lasting = (g->plan.is_hoisted[value] && is_read[value]) || g->plan.is_kept[value] ||
-                                form->nodes[value].op == SHADER_CONSTANT;
+                                g->plan.is_joint[value] || form->nodes[value].op == SHADER_CONSTANT;
         v->end = is_lasting ? UINT32_MAX : v->end;
         if (!is_lasting && v->end < form->code_count) {
             v->next_end = g->first_end[v->end];

@@ -156,7 +156,8 @@ static uint32_t run_at(const struct shader_generator *g, uint32_t place)
 {
     const struct shader_program *const form = g->form;
     const struct shader_node *const first = &form->nodes[form->code[place]];
-    const bool is_hoisted = g->plan.is_hoisted[form->code[place]];
+    const bool is_hoisted = g->plan.is_hoisted[form->code[place]],
+               is_joint = g->plan.is_joint[form->code[place]];
     uint32_t count = 1;
     for (; count < MOST_WORDS && place + count < form->code_count; count++) {
         const uint32_t value = form->code[place + count];
@@ -164,7 +165,7 @@ static uint32_t run_at(const struct shader_generator *g, uint32_t place)
         const uint32_t bytes = node->immediate - first->immediate;
         if (node->op != SHADER_LOAD || node->operands[0] != first->operands[0] ||
             node->operands[1] != first->operands[1] || bytes >= MOST_WORDS * 4 || bytes % 4 != 0 ||
-            g->plan.is_hoisted[value] != is_hoisted) {
+            g->plan.is_hoisted[value] != is_hoisted || g->plan.is_joint[value] != is_joint) {
             break;
         }
     }

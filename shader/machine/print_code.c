@@ -10,9 +10,9 @@
 static const struct {
     char reg, rm;
 } widths[X86_INSTRUCTIONS] = {
-    [X86_VMOVD] = {0, 'd'}, [X86_VMOVD_STORE] = {0, 'd'}, [X86_VBROADCASTSS] = {0, 'x'},
-    [X86_LEA] = {0, 'y'}, // its memory has no size
-    [X86_CALL] = {0, 'q'},  [X86_PUSH] = {'q', 0},        [X86_POP] = {'q', 0},
+    [X86_VMOVD] = {0, 'd'},     [X86_VMOVD_STORE] = {0, 'd'}, [X86_VBROADCASTSS] = {0, 'x'},
+    [X86_VMOVMSKPS] = {'d', 0}, [X86_LEA] = {0, 'y'}, // its memory has no size
+    [X86_CALL] = {0, 'q'},      [X86_PUSH] = {'q', 0},        [X86_POP] = {'q', 0},
 };
 
 static const char *const conditions[] = {

@@ -203,7 +203,8 @@ static uint32_t other_of_pair(const struct shader_generator *g, uint32_t value)
         if (nodes[other].op == wanted && nodes[other].operands[0] == node->operands[0]) {
             const bool is_near = g->plan.block[i] == g->plan.block[g->place] &&
                                  g->plan.run[i] == g->plan.run[g->place] &&
-                                 g->plan.is_hoisted[other] == g->plan.is_hoisted[value];
+                                 g->plan.is_hoisted[other] == g->plan.is_hoisted[value] &&
+                                 g->plan.is_joint[other] == g->plan.is_joint[value];
             return is_near ? other : SHADER_NONE;
         }
     }
@@ -254,6 +255,30 @@ bool shader_is_instruction(const struct shader_generator *g, uint32_t value)
     const uint16_t op = g->form->nodes[value].op;
     const bool is_slow = op == SHADER_FDIV || op == SHADER_FSQRT;
     return (notations[op].operands != NOT_ONE && !is_slow) || op == SHADER_SELECT || op == SHADER_COPY;
+}
+
+bool shader_is_bare(const struct shader_generator *g, uint32_t value)
+{
+    switch ((enum shader_op)g->form->nodes[value].op) {
+    case SHADER_FDIV:
+    case SHADER_FSQRT:
+    case SHADER_RSQRT:
+    case SHADER_NOT:
+    case SHADER_SHIFT_LEFT:
+    case SHADER_SHIFT_RIGHT:
+    case SHADER_SHIFT_RIGHT_SIGNED:
+    case SHADER_INT_FROM_FLOAT:
+    case SHADER_ULESS:
+    case SHADER_PART:
+    case SHADER_SET:
+    case SHADER_IF:
+    case SHADER_ELSE:
+    case SHADER_END_IF:
+    case SHADER_REGION:
+    case SHADER_END_REGION:
+    case SHADER_LEAVE: return true;
+    default: return shader_is_instruction(g, value);
+    }
 }
 
 bool shader_select_arithmetic(struct shader_generator *g, uint32_t value)

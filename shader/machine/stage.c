@@ -8,10 +8,7 @@ enum { SAVED = 5, WORD = 8, MAX_STACK = 160 << 10, NEAR = 16 << 10, FEWEST = 4 }
 
 static const int saved[SAVED] = {X86_RBX, X86_R12, X86_R13, X86_R14, X86_R15};
 
-// Where the library has what a stage works on.
-static const struct {
-    int32_t size, mask, inputs, outputs;
-} layouts[RHW_SHADER_STAGE_COUNT] = {
+static const struct shader_layout layouts[RHW_SHADER_STAGE_COUNT] = {
     [RHW_SHADER_VERTEX] = {sizeof(struct rhw_vertex), offsetof(struct rhw_vertex, mask),
                            offsetof(struct rhw_vertex, attribute), offsetof(struct rhw_vertex, varying)},
     [RHW_SHADER_FRAGMENT] = {sizeof(struct rhw_fragment), offsetof(struct rhw_fragment, mask),
@@ -19,9 +16,9 @@ static const struct {
     [RHW_SHADER_COMPUTE] = {sizeof(struct rhw_invocations), offsetof(struct rhw_invocations, mask), 0, 0},
 };
 
-int32_t shader_mask_offset(const struct shader_generator *g)
+const struct shader_layout *shader_layout_of(const struct shader_generator *g)
 {
-    return layouts[g->kind].mask;
+    return &layouts[g->kind];
 }
 
 static void put_immediate(struct shader_generator *g, unsigned instruction, struct x86_operand at,
@@ -38,36 +35,6 @@ static void put_pointer(struct shader_generator *g, int reg, struct x86_operand 
 static void store_pointer(struct shader_generator *g, int reg, struct x86_operand at)
 {
     shader_put(g, X86_MOV_STORE | X86_WIDE, reg, 0, at);
-}
-
-// Loops over groups ----------------------------------------------------------------------------------
-
-void shader_open_groups(struct shader_generator *g)
-{
-    shader_forget_registers(g);
-    put_pointer(g, X86_RBX, SHADER_FRAME(together.groups));
-    if (g->has_records) {
-        put_pointer(g, X86_R15, SHADER_FRAME(together.records));
-    }
-    shader_put(g, X86_MOV, X86_RAX, 0, SHADER_FRAME(together.here));
-    shader_put(g, X86_MOV_STORE, X86_RAX, 0, SHADER_FRAME(left));
-    g->group_loop = shader_label_new(&g->code);
-    shader_label_place(&g->code, g->group_loop);
-    g->group_end = shader_new_edge(g);
-    if (g->kind != RHW_SHADER_COMPUTE) {
-        put_pointer(g, X86_R12, x86_at(X86_RBX, layouts[g->kind].inputs));
-        put_pointer(g, X86_R13, x86_at(X86_RBX, layouts[g->kind].outputs));
-    }
-}
-
-void shader_close_groups(struct shader_generator *g)
-{
-    put_immediate(g, X86_ADD_I | X86_WIDE, x86_reg(X86_RBX), layouts[g->kind].size);
-    if (g->has_records) {
-        shader_put(g, X86_ADD | X86_WIDE, X86_R15, 0, SHADER_FRAME(together.record_size));
-    }
-    put_immediate(g, X86_SUB_I, SHADER_FRAME(left), 1);
-    shader_encode_jump_if(&g->code, X86_NOT_EQUAL, g->group_loop);
 }
 
 // Memory of the lanes is 0 at first.
@@ -110,21 +77,33 @@ static void generate_once(struct shader_generator *g)
 
 // Stages ---------------------------------------------------------------------------------------------
 
-// Begin what goes from run to run: masks, homes that are kept, memory of the lanes.
+static void begin_home(struct shader_generator *g, uint32_t home)
+{
+    shader_put(g, X86_VBROADCASTSS, 0, 0, shader_pool_scalar(&g->code, g->form->nodes[home].immediate));
+    shader_put(g, X86_VMOVUPS_STORE, 0, 0, shader_home_of(g, home));
+}
+
+// Begin what goes from run to run: masks, homes that are kept or joint, memory of the lanes.
 static void begin_records(struct shader_generator *g)
 {
+    const struct shader_program *const form = g->form;
     g->mask = shader_new_value(g);
     g->alive = shader_new_value(g);
+    g->group_pointer = shader_take_record(g, sizeof(void *));
     g->values[g->mask].is_kept = g->values[g->alive].is_kept = true;
-    shader_open_groups(g);
+    for (uint32_t value = 0; value < form->node_count; value++) {
+        if (form->nodes[value].op == SHADER_HOME && g->plan.is_joint[value]) {
+            begin_home(g, value);
+        }
+    }
+    shader_open_groups(g, &(struct shader_groups){.is_plain = true});
+    store_pointer(g, X86_RBX, x86_at(X86_R15, (int32_t)g->group_pointer));
     shader_put(g, X86_VMOVUPS, 0, 0, x86_at(X86_RBX, layouts[g->kind].mask));
     shader_put(g, X86_VMOVUPS_STORE, 0, 0, shader_home_of(g, g->mask));
     shader_put(g, X86_VMOVUPS_STORE, 0, 0, shader_home_of(g, g->alive));
-    for (uint32_t value = 0; value < g->form->node_count; value++) {
-        if (g->form->nodes[value].op == SHADER_HOME && g->plan.is_kept[value]) {
-            shader_put(g, X86_VBROADCASTSS, 0, 0,
-                       shader_pool_scalar(&g->code, g->form->nodes[value].immediate));
-            shader_put(g, X86_VMOVUPS_STORE, 0, 0, shader_home_of(g, value));
+    for (uint32_t value = 0; value < form->node_count; value++) {
+        if (form->nodes[value].op == SHADER_HOME && g->plan.is_kept[value]) {
+            begin_home(g, value);
         }
     }
     shader_clear_own(g);
@@ -135,7 +114,7 @@ static void end_records(struct shader_generator *g)
 {
     if (g->kind == RHW_SHADER_FRAGMENT && g->plan.loses_lanes) {
         const struct x86_operand mask = x86_at(X86_RBX, layouts[g->kind].mask);
-        shader_open_groups(g);
+        shader_open_groups(g, &(struct shader_groups){.is_plain = true});
         shader_put(g, X86_VMOVUPS, 0, 0, shader_home_of(g, g->alive));
         shader_put(g, X86_VANDPS, 0, 0, mask);
         shader_put(g, X86_VMOVUPS_STORE, 0, 0, mask);
@@ -285,7 +264,8 @@ static bool generate(struct shader_memory *memory, const struct shader_linked_st
                                  .form = stage->form,
                                  .allowed = (1u << registers) - 1,
                                  .ends = shader_take(memory, places, sizeof *g.ends),
-                                 .left = shader_take(memory, places, sizeof *g.left)};
+                                 .left = shader_take(memory, places, sizeof *g.left),
+                                 .lists = shader_take(memory, SHADER_MAX_DEPTH + 2, sizeof *g.lists)};
     shader_make_plan(memory, stage->form, has_steps, &g.plan);
     shader_encoder_init(&g.code, memory);
     g.code.has_records = has_records;

@@ -16,11 +16,68 @@ static void begin_homes(struct shader_generator *g, uint32_t run)
     }
 }
 
+// Return true for a value that is the same for all groups, and at home.
+static bool is_alike(const struct shader_generator *g, uint32_t value)
+{
+    const uint16_t op = g->form->nodes[value].op;
+    return op == SHADER_CONSTANT || g->plan.is_joint[value] ||
+           (g->plan.is_hoisted[value] && op != SHADER_BUFFER && op != SHADER_PUSH && op != SHADER_WORKGROUP);
+}
+
+// Find what the loop over groups of a run has to provide. Return the place behind the run.
+static uint32_t ask_run(const struct shader_generator *g, uint32_t place, struct shader_groups *groups)
+{
+    uint32_t i = place;
+    groups->is_plain = groups->is_bare = g->plan.has_cuts;
+    for (; i < g->form->code_count && g->plan.run[i] == g->plan.run[place]; i++) {
+        const uint32_t value = g->form->code[i];
+        const bool is_written = g->plan.is_hoisted[value] || g->plan.is_joint[value];
+        uint32_t count;
+        const uint32_t *const operands = shader_operands(g->form, &g->form->nodes[value], &count);
+        groups->is_plain = groups->is_plain && (is_written || shader_is_bare(g, value));
+        for (uint32_t o = 0; o < count && !is_written; o++) {
+            const uint16_t op = g->form->nodes[operands[o]].op;
+            groups->is_bare = groups->is_bare && (op < SHADER_INPUT || op > SHADER_BUILT_IN);
+        }
+    }
+    groups->is_bare = groups->is_bare && groups->is_plain;
+    groups->lists = shader_is_decided(&g->plan, i);
+    return i;
+}
+
+// Load what the code of every group reads, as far as registers are to spare.
+static void hold_alike(struct shader_generator *g, uint32_t begin, uint32_t end)
+{
+    int spare = (__builtin_popcount(g->allowed) - 4) / 2;
+    for (uint32_t i = begin; i < end; i++) {
+        const uint32_t value = g->form->code[i];
+        uint32_t count;
+        const uint32_t *const operands = shader_operands(g->form, &g->form->nodes[value], &count);
+        for (uint32_t o = 0; o < count && !g->plan.is_hoisted[value] && !g->plan.is_joint[value]; o++) {
+            if (spare > 0 && is_alike(g, operands[o]) && g->values[operands[o]].reg < 0) {
+                (void)shader_in_register(g, operands[o]);
+                spare--;
+            }
+        }
+        shader_unlock(g);
+    }
+}
+
 static void open_run(void *user, uint32_t place)
 {
     struct shader_generator *const g = user;
+    struct shader_groups groups = {.is_plain = false};
+    const uint32_t end = ask_run(g, place, &groups);
     g->place = place;
-    shader_open_groups(g);
+    g->group_begin = shader_new_edge(g);
+    shader_forget_registers(g);
+    if (groups.is_plain) {
+        hold_alike(g, place, end);
+    }
+    for (int r = 0; r < REGISTERS; r++) {
+        g->group_begin->holds[r] = g->holds[r];
+    }
+    shader_open_groups(g, &groups);
     if (!g->plan.has_cuts) {
         shader_clear_own(g);
     }
@@ -41,7 +98,7 @@ static void end_group(struct shader_generator *g)
     shader_edge_place(g, g->group_end, g->form->code_count, false);
     if (g->kind == RHW_SHADER_FRAGMENT && g->plan.loses_lanes) {
         const int reg = shader_in_register(g, g->alive);
-        const struct x86_operand mask = x86_at(X86_RBX, shader_mask_offset(g));
+        const struct x86_operand mask = x86_at(X86_RBX, shader_layout_of(g)->mask);
         shader_put(g, X86_VANDPS, reg, reg, mask);
         shader_put(g, X86_VMOVUPS_STORE, reg, 0, mask);
         g->values[g->alive].is_stored = true;
@@ -70,39 +127,50 @@ static void close_run(void *user)
         shader_unlock(g);
     }
     shader_flush(g, UINT32_MAX);
+    shader_loop_again(g, g->group_begin);
     shader_forget_registers(g);
     shader_close_groups(g);
 }
 
+static void settle(void *user)
+{
+    struct shader_generator *const g = user;
+    shader_flush(g, UINT32_MAX);
+    shader_forget_registers(g);
+}
+
+// The run that ends computes which of its lanes go into the IF behind it, and lists the groups that have one.
+static void decide(void *user, uint32_t place)
+{
+    struct shader_generator *const g = user;
+    g->place = place;
+    g->inside = shader_and_mask(g, g->mask, g->form->nodes[g->form->code[place]].operands[0], false);
+    g->values[g->inside].is_kept = true;
+    shader_list_group(g, shader_in_register(g, g->inside));
+    shader_unlock(g);
+}
+
 // Masks of all groups --------------------------------------------------------------------------------
 
-// Set a mask of every group to a & b, or a & ~b. Where it is asked for, set the flag of zero if no group has a lane.
-static uint32_t and_in_all(struct shader_generator *g, uint32_t a, uint32_t b, bool is_not)
+// Set a mask of every group to a & b, or a & ~b. List the groups that have a lane in it, where that is asked for.
+static uint32_t and_in_all(struct shader_generator *g, uint32_t a, uint32_t b, bool is_not, bool lists)
 {
     const uint32_t result = new_kept(g);
-    shader_put(g, X86_VXORPS, 1, 1, x86_reg(1));
-    shader_put(g, X86_VMOVUPS_STORE, 1, 0, SHADER_FRAME(any));
-    shader_open_groups(g);
+    shader_open_groups(g, &(struct shader_groups){.is_plain = true, .lists = lists});
     shader_put(g, X86_VMOVUPS, 0, 0, shader_home_of(g, is_not ? b : a));
     shader_put(g, is_not ? X86_VANDNPS : X86_VANDPS, 0, 0, shader_home_of(g, is_not ? a : b));
     shader_put(g, X86_VMOVUPS_STORE, 0, 0, shader_home_of(g, result));
-    shader_put(g, X86_VORPS, 0, 0, SHADER_FRAME(any));
-    shader_put(g, X86_VMOVUPS_STORE, 0, 0, SHADER_FRAME(any));
+    if (lists) {
+        shader_list_group(g, 0);
+    }
     shader_close_groups(g);
     return result;
-}
-
-// Set the flag of zero where and_in_all found no lane.
-static void test_found(struct shader_generator *g)
-{
-    shader_put(g, X86_VMOVUPS, 0, 0, SHADER_FRAME(any));
-    shader_put(g, X86_VTESTPS, 0, 0, x86_reg(0));
 }
 
 // Copy a mask of every group, or change it by another.
 static void change_in_all(struct shader_generator *g, unsigned instruction, uint32_t mask, uint32_t by)
 {
-    shader_open_groups(g);
+    shader_open_groups(g, &(struct shader_groups){.is_plain = true, .is_bare = true});
     shader_put(g, X86_VMOVUPS, 0, 0, shader_home_of(g, by));
     if (instruction != X86_VMOVUPS) {
         shader_put(g, instruction, 0, 0, shader_home_of(g, mask));
@@ -120,17 +188,27 @@ static uint32_t copy_in_all(struct shader_generator *g, uint32_t mask)
 
 static void go_on_alive_in_all(struct shader_generator *g)
 {
-    g->mask = and_in_all(g, g->mask, g->alive, false);
+    g->mask = and_in_all(g, g->mask, g->alive, false, false);
 }
 
 // Structure ------------------------------------------------------------------------------------------
 
-static void generate_branch(struct shader_generator *g, uint32_t begin, uint32_t end, uint32_t mask)
+// Code for lanes that may be some only goes through the groups that are listed.
+static void generate_branch(struct shader_generator *g, uint32_t begin, uint32_t end, uint32_t mask,
+                            bool parts)
 {
+    if (parts) {
+        shader_enter_list(g);
+        g->divergence++;
+    }
     g->mask = mask;
     g->is_dead = false;
     shader_walk_wide(&g->walk, begin, end);
     g->is_dead = false;
+    if (parts) {
+        shader_leave_list(g);
+        g->divergence--;
+    }
 }
 
 static void generate_wide_if(struct shader_generator *g, uint32_t place)
@@ -141,34 +219,33 @@ static void generate_wide_if(struct shader_generator *g, uint32_t place)
     const bool has_else = structure->otherwise != SHADER_NONE;
     const uint32_t middle = has_else ? structure->otherwise : structure->end;
     const uint32_t otherwise = shader_label_new(&g->code), end = shader_label_new(&g->code);
+    const bool parts = !structure->is_uniform;
     uint32_t inside = before, outside = before;
-    if (structure->is_uniform) { // the first group stands for all
-        shader_put(g, X86_MOV | X86_WIDE, X86_R15, 0, SHADER_FRAME(together.records));
-        shader_put(g, X86_MOV | X86_WIDE, X86_RBX, 0, SHADER_FRAME(together.groups));
+    if (parts) {
+        inside = g->inside != SHADER_NONE ? g->inside : and_in_all(g, before, condition, false, true);
+        g->inside = SHADER_NONE;
+        shader_test_list(g);
+    } else { // if its groups have the condition, the first stands for all
+        shader_put_first_group(g);
         shader_test_alike(g, condition);
-    } else {
-        inside = and_in_all(g, before, condition, false);
-        test_found(g);
-        g->divergence++;
     }
     shader_encode_jump_if(&g->code, X86_EQUAL, otherwise);
-    generate_branch(g, place + 1, middle, inside);
-    if (has_else && structure->is_uniform) {
+    generate_branch(g, place + 1, middle, inside, parts);
+    if (has_else && !parts) {
         shader_encode_jump(&g->code, end);
     }
     shader_label_place(&g->code, otherwise);
     shader_forget_registers(g);
     if (has_else) {
-        if (!structure->is_uniform) {
-            outside = and_in_all(g, before, inside, true);
-            test_found(g);
+        if (parts) {
+            outside = and_in_all(g, before, inside, true, true);
+            shader_test_list(g);
             shader_encode_jump_if(&g->code, X86_EQUAL, end);
         }
-        generate_branch(g, middle + 1, structure->end, outside);
+        generate_branch(g, middle + 1, structure->end, outside, parts);
     }
     shader_label_place(&g->code, end);
     shader_forget_registers(g);
-    g->divergence -= structure->is_uniform ? 0 : 1;
     g->mask = before;
     if (structure->loses) {
         go_on_alive_in_all(g);
@@ -185,23 +262,34 @@ static void generate_wide_region(struct shader_generator *g, uint32_t place)
     if (!structure->is_uniform) {
         g->divergence++;
         g->left[place] = new_kept(g);
-        shader_open_groups(g);
+        shader_open_groups(g, &(struct shader_groups){.is_plain = true, .is_bare = true});
         shader_put(g, X86_VXORPS, 0, 0, x86_reg(0));
         shader_put(g, X86_VMOVUPS_STORE, 0, 0, shader_home_of(g, g->left[place]));
         shader_close_groups(g);
     }
-    const uint32_t round = copy_in_all(g, before);
+    // Lanes that come to a round of such structure come to its end.
+    const bool is_steady = structure->is_uniform && !structure->loses;
+    const uint32_t round = is_steady ? before : copy_in_all(g, before);
+    if (is_loop &&
+        is_steady) { // no lane may be active, and then memory that lanes would write does not change
+        (void)and_in_all(g, before, before, false, true);
+        shader_test_list(g);
+        shader_encode_jump_if(&g->code, X86_EQUAL, g->ends[place]->label);
+    }
     shader_label_place(&g->code, again);
     g->mask = round;
     shader_walk_wide(&g->walk, place + 1, structure->end);
     if (is_loop && !g->is_dead) {
-        change_in_all(g, X86_VMOVUPS, round, g->mask);
-        shader_put(g, X86_MOV | X86_WIDE, X86_RBX, 0,
-                   SHADER_FRAME(together.groups)); // it stands behind the last group
+        shader_put(g, X86_MOV | X86_WIDE, X86_RBX, 0, SHADER_FRAME(together.groups));
         shader_generate_giving_up(g, NULL);
-        (void)and_in_all(g, round, round, false);
-        test_found(g);
-        shader_encode_jump_if(&g->code, X86_NOT_EQUAL, again);
+        if (is_steady) {
+            shader_encode_jump(&g->code, again);
+        } else {
+            change_in_all(g, X86_VMOVUPS, round, g->mask);
+            (void)and_in_all(g, round, round, false, true);
+            shader_test_list(g);
+            shader_encode_jump_if(&g->code, X86_NOT_EQUAL, again);
+        }
     }
     shader_label_place(&g->code, g->ends[place]->label);
     shader_forget_registers(g);
@@ -248,6 +336,7 @@ static void generate_node(void *user, uint32_t place)
 
 void shader_generate_code(struct shader_generator *g)
 {
+    g->inside = SHADER_NONE;
     g->walk = (struct shader_walk){.plan = &g->plan,
                                    .user = g,
                                    .mask = &g->mask,
@@ -262,6 +351,8 @@ void shader_generate_code(struct shader_generator *g)
                                    .leave_wide = generate_wide_leave,
                                    .open_run = open_run,
                                    .close_run = close_run,
+                                   .settle = settle,
+                                   .decide = decide,
                                    .skip = shader_skip_rest};
     shader_walk_wide(&g->walk, 0, g->form->code_count);
 }

@@ -64,6 +64,9 @@ class Program:
         self.size = self.random.choice((1, 8, 20, 32, 64, 136))
         self.has_barriers = self.is_compute and self.random.random() < 0.4
         self.is_ordered = self.is_compute and self.random.random() < 0.2
+        # Groups go through its code in steps, in loops too: no invocation leaves by itself, and none has arrays.
+        self.has_steps = self.random.random() < 0.4
+        self.counters = []  # of loops around that all invocations go through together
         self.lines = []
         self.names = 0
         self.scopes = [[]]
@@ -183,6 +186,8 @@ class Program:
 
     def uniform(self):
         """A number that all invocations agree on."""
+        if self.counters and self.random.random() < 0.5:
+            return f'{self.random.choice(self.counters)} + {self.random.randrange(3)}'
         return self.pick('push.count & 3', f'wholes[{self.random.randrange(8)}].x & 3', '2')
 
     # Statements
@@ -203,6 +208,8 @@ class Program:
                    'share': 3 if self.has_barriers else 0}
         if self.depth > 4:
             weights.update(branch=0, loop=0, choose=0)
+        if self.has_steps:
+            weights.update(array=0, choose=0, chain=8 if self.counters else 1, loop=2.5 * weights['loop'])
         kind = self.random.choices(list(weights), list(weights.values()))[0]
         getattr(self, f'write_{kind}')()
 
@@ -227,16 +234,18 @@ class Program:
         self.line('}')
 
     def write_loop(self):
-        is_uniform = self.random.random() < 0.4
+        is_uniform = self.has_steps or self.random.random() < 0.4
         count = self.uniform() if is_uniform else f'({self.expression("int", 1)}) & 7'
         self.scopes.append([])
         name = self.new_name('int', is_fixed=True)
         form = self.random.randrange(3)
         self.loops += 1
         switches, self.switches = self.switches, 0
+        is_shared = is_uniform and self.is_uniform and not self.in_function
+        self.counters += [name] if is_shared else []
         if form == 0:
             self.line(f'for (int {name} = 0; {name} < ({count}); {name}++) {{')
-            self.block(self.random.randrange(1, 4), False)
+            self.block(self.random.randrange(1, 4), is_shared)
             self.line('}')
         else:
             self.line(f'int {name} = 0;')
@@ -244,12 +253,19 @@ class Program:
             self.depth += 1
             self.line(f'{name}++;')
             self.depth -= 1
-            self.block(self.random.randrange(1, 4), False)
+            self.block(self.random.randrange(1, 4), is_shared)
             self.line(f'}} while ({name} < ({count}));' if form == 1 else '}')
+        self.counters = self.counters[:-1] if is_shared else self.counters
         self.switches = switches
         self.loops -= 1
         self.scopes[-2] += [(kind, n) for kind, n in self.scopes[-1] if form > 0]
         self.scopes.pop()
+
+    def write_chain(self):
+        """A value that waits for one function after the other."""
+        first, second = self.pick('log2', 'exp2', 'sin', 'atan'), self.pick('exp2', 'cos', 'tanh')
+        value = f'{second}(1.5 * {first}(inversesqrt(abs({self.expression("float")}) + 0.5) * 3.0))'
+        self.line(f'float {self.new_name("float")} = {value};')
 
     def write_choose(self):
         self.line(f'switch (({self.expression("int", 2)}) & 3) {{')
@@ -284,7 +300,10 @@ class Program:
         ways = (['break', 'continue'] if self.loops and not self.switches else []) + \
                (['return 0.5'] if self.in_function else [] if self.has_barriers else ['return']) + \
                (['discard'] if not self.is_compute and self.random.random() < 0.5 else [])
-        if ways and self.depth > 1:
+        if self.has_steps:
+            if self.is_uniform and self.counters:
+                self.line(f'if (({self.uniform()}) > {self.random.randrange(3)}) {{ {self.pick("break", "continue")}; }}')
+        elif ways and self.depth > 1:
             self.line(f'if ({self.expression("bool", 2)}) {{ {self.random.choice(ways)}; }}')
 
     def write_count(self):

@@ -19,6 +19,7 @@ static const struct {
     [X86_VGATHERDPS] = {.no_register = true},
     [X86_VMOVD] = {.width = NARROW},
     [X86_VMOVD_STORE] = {.width = NARROW},
+    [X86_VMOVMSKPS] = {.no_memory = true},
     [X86_VPSLLD_I] = {.no_memory = true},
     [X86_VPSRLD_I] = {.no_memory = true},
     [X86_VPSRAD_I] = {.no_memory = true},
