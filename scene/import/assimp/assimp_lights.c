@@ -4,6 +4,7 @@
 
 #include <math.h>
 #include <string.h>
+#include <strings.h>
 
 #include "draw/camera/box.h"
 #include "elementary.h"
@@ -153,10 +154,22 @@ static void set_strength(struct scene_model_light *light, const struct aiLight *
     light->intensity = (float)(pi * square / (attenuation > 1 ? attenuation : 1));
 }
 
+// Return whether a name has the address of the light in assimp's memory, which it gives those of X3D that have none. It
+// is another one each time.
+static bool is_address(const struct scene_import *import, const char *name)
+{
+    static const char kind[] = "Light_", digits[] = "0123456789";
+    const char *const mark = strstr(name, kind), *const number = mark ? mark + strlen(kind) : "";
+    const size_t least = 7, length = strspn(number, digits);
+    return strcasecmp(import->ending, "x3d") == 0 && length >= least && number[length] == 0;
+}
+
 static void add_light(struct scene_import *import, const struct scene_assimp_exact *exact,
                       const struct aiScene *scene, const struct aiLight *source, const double middle[3])
 {
-    struct scene_model_light light = {.name = scene_assimp_string(import, &source->mName)};
+    struct scene_model_light light = {.name = is_address(import, source->mName.data)
+                                                  ? scene_import_string(import, "", 0)
+                                                  : scene_assimp_string(import, &source->mName)};
     if (source->mType != aiLightSource_DIRECTIONAL && source->mType != aiLightSource_POINT &&
         source->mType != aiLightSource_SPOT) {
         scene_import_unsupported(import, "ambient and area lights: left out");
