@@ -75,8 +75,8 @@ static bool ends_in(const char *path, const char *const endings[])
 
 static bool is_image(const char *path)
 {
-    static const char *const endings[] = {".png",  ".ktx2", ".webp", ".dds", ".tif", ".gif",
-                                          ".avif", ".jpg",  ".sgi",  ".rgb", NULL};
+    static const char *const endings[] = {".png", ".ktx2", ".webp", ".dds", ".tif", ".gif", ".avif", ".jpg",
+                                          ".sgi", ".rgb",  ".ppm",  ".pgm", ".tga", ".bmp", ".psd",  NULL};
     return ends_in(path, endings);
 }
 
