@@ -3,6 +3,7 @@
 // mirror((i mod 2n) − n), with mirror(k) = k, or −1 − k below 0. Coordinates are multiples of 1/256, so that all is exact,
 // texel edges and centres at negative coordinates included. The special samplers and the general one have the same.
 #include "harness.h"
+#include "isa_support.h"
 
 #include <math.h>
 
@@ -65,7 +66,7 @@ static void compare(struct rhw_texture_data *texture, const struct rhw_sampler_d
         uv[!along_u][lane] = (float)(first + lane) / STEPS;
     }
     for (int isa = RHW_ISA_BASELINE; isa < RHW_ISA_COUNT; isa++) {
-        for (int way = 0; way < 3 && rhw_isa_supported((enum rhw_isa)isa); way++) {
+        for (int way = 0; way < 3 && isa_is_there((enum rhw_isa)isa); way++) {
             const struct rhw_kernels *const kernels = rhw_kernels_for((enum rhw_isa)isa);
             const struct rhw_binding_data binding =
                 rhw_binding_of(kernels, way == 0 ? RHW_PATHS_ALL : RHW_PATHS_GENERAL, texture, sampler);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Which copies of isa_templates.c and isa_kit*.c this build and this CPU have.
 #include "isa_kit.h"
+#include "isa_support.h"
 #include "isa_templates.h"
 
 #include <rhw/rhw.h>
@@ -9,7 +10,7 @@ static const struct isa_templates *const templates[RHW_ISA_COUNT] = RHW_ISA_TABL
 
 const struct isa_templates *isa_templates_for(enum rhw_isa isa)
 {
-    return rhw_isa_supported(isa) ? templates[isa] : NULL;
+    return isa_is_there(isa) ? templates[isa] : NULL;
 }
 
 static const struct kit_table *const kits[KIT_PARTS][RHW_ISA_COUNT] = {
@@ -21,5 +22,5 @@ static const struct kit_table *const kits[KIT_PARTS][RHW_ISA_COUNT] = {
 
 const struct kit_table *kit_table_for(enum kit_part part, enum rhw_isa isa)
 {
-    return rhw_isa_supported(isa) ? kits[part][isa] : NULL;
+    return isa_is_there(isa) ? kits[part][isa] : NULL;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Anisotropic filtering against a direct reading of Vulkan's formulas, and what it is for: a floor that comes closer to the
 // truth than trilinear filtering does.
+#include "isa_support.h"
 #include "kind_model.h"
 
 #include <math.h>
@@ -116,7 +117,7 @@ static int compare_with_model(const struct rig *rig, rhw_texture texture,
     bind(&bindings, RHW_ISA_BASELINE, RHW_PATHS_ALL, rig, texture, sampler);
     rhw_sample(&bindings, SLOT, &request, texel);
     for (int isa = 0; isa < RHW_ISA_COUNT; isa++) {
-        for (int paths = 0; paths <= RHW_PATHS_GENERAL && rhw_isa_supported((enum rhw_isa)isa); paths++) {
+        for (int paths = 0; paths <= RHW_PATHS_GENERAL && isa_is_there((enum rhw_isa)isa); paths++) {
             bind(&bindings, (enum rhw_isa)isa, (enum rhw_paths)paths, rig, texture, sampler);
             rhw_sample(&bindings, SLOT, &request, other);
             assert_memory_equal(other, texel, sizeof texel);

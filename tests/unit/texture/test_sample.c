@@ -2,6 +2,7 @@
 // Sampling against texture_model.h. Samples are taken through the kernel table, so that every instruction set is judged
 // by itself and against the baseline.
 #include "float_bits.h"
+#include "isa_support.h"
 #include "texture_model.h"
 
 #include <math.h>
@@ -70,7 +71,7 @@ static void sample_all_isas(struct rhw_binding_data *binding, const rhw_float uv
         rhw_binding_of(rhw_kernels_for(RHW_ISA_BASELINE), RHW_PATHS_ALL, binding->texture, binding->sampler);
     binding->sample(binding, &request, texel);
     for (int isa = RHW_ISA_BASELINE; isa < RHW_ISA_COUNT; isa++) {
-        for (int paths = RHW_PATHS_ALL; paths <= RHW_PATHS_GENERAL && rhw_isa_supported((enum rhw_isa)isa);
+        for (int paths = RHW_PATHS_ALL; paths <= RHW_PATHS_GENERAL && isa_is_there((enum rhw_isa)isa);
              paths++) {
             rhw_float other[4];
             *binding = rhw_binding_of(rhw_kernels_for((enum rhw_isa)isa), (enum rhw_paths)paths,
@@ -441,7 +442,7 @@ static void test_slots_sampled_at_once(void **state)
         struct rhw_sampler_def samplers[SLOTS];
         struct rhw_bindings bindings;
         rhw_texture textures[SLOTS];
-        if (!rhw_isa_supported(isa)) {
+        if (!isa_is_there(isa)) {
             continue;
         }
         rhw_bindings_init(&bindings, rhw_kernels_for(isa));
@@ -701,7 +702,7 @@ static void test_an_unbound_slot_samples_opaque_black(void **state)
 {
     (void)state;
     for (int isa = 0; isa < RHW_ISA_COUNT; isa++) {
-        if (rhw_isa_supported((enum rhw_isa)isa)) {
+        if (isa_is_there((enum rhw_isa)isa)) {
             struct rhw_bindings bindings;
             rhw_bindings_init(&bindings, rhw_kernels_for((enum rhw_isa)isa));
             const float uv[2] = {0.3f, NAN}, expected[4] = {0, 0, 0, 1};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Samplers that compare. A comparison comes before the filter, so a sample is that of a texture whose texels are the
 // outcomes, 0 and 1, by a sampler that does not compare: the model of texture_model.h draws it.
+#include "isa_support.h"
 #include "texture_model.h"
 
 #include <math.h>
@@ -88,7 +89,7 @@ static void compare_with_model(rhw_context *context, rhw_texture texture, struct
         const rhw_float result = sample_with(rhw_kernels_for(RHW_ISA_BASELINE), RHW_PATHS_ALL, data,
                                              sampler_data, uv, reference, lod);
         for (int isa = 0; isa < RHW_ISA_COUNT; isa++) {
-            for (int paths = 0; paths <= RHW_PATHS_GENERAL && rhw_isa_supported((enum rhw_isa)isa); paths++) {
+            for (int paths = 0; paths <= RHW_PATHS_GENERAL && isa_is_there((enum rhw_isa)isa); paths++) {
                 const rhw_float other = sample_with(rhw_kernels_for((enum rhw_isa)isa), (enum rhw_paths)paths,
                                                     data, sampler_data, uv, reference, lod);
                 assert_memory_equal(&other, &result, sizeof result);
@@ -167,7 +168,7 @@ static void compare_paths(rhw_context *context, int width, int height, const str
         const float reference = n % 2 ? texels[0] : rig_random_float(random, 0, 1);
         const rhw_float result = sample_with(rhw_kernels_for(RHW_ISA_BASELINE), RHW_PATHS_GENERAL, data,
                                              sampler_data, uv, reference, 0);
-        for (int isa = 0; isa < RHW_ISA_COUNT && rhw_isa_supported((enum rhw_isa)isa); isa++) {
+        for (int isa = 0; isa < RHW_ISA_COUNT && isa_is_there((enum rhw_isa)isa); isa++) {
             const rhw_float special = sample_with(rhw_kernels_for((enum rhw_isa)isa), RHW_PATHS_ALL, data,
                                                   sampler_data, uv, reference, 0);
             assert_memory_equal(&special, &result, sizeof result);
@@ -248,7 +249,7 @@ static void compare_windows(rhw_context *context, const struct rhw_texture_def *
                                                    .offset = n % 3 ? offset : NULL,
                                                    .bias = n % 16 ? NULL : &bias};
         const int columns = 1 + rig_random_int(random, 5), rows = 1 + rig_random_int(random, 5);
-        for (int isa = 0; isa < RHW_ISA_COUNT && rhw_isa_supported((enum rhw_isa)isa); isa++) {
+        for (int isa = 0; isa < RHW_ISA_COUNT && isa_is_there((enum rhw_isa)isa); isa++) {
             struct rhw_bindings bindings;
             rhw_bindings_init(&bindings, rhw_kernels_for((enum rhw_isa)isa));
             bindings.slot[3] =

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Samples of textures of every kind: each instruction set and both forms of shader functions give the same bits, which
 // the model agrees with (kind_model.h).
+#include "isa_support.h"
 #include "kind_model.h"
 
 #include <math.h>
@@ -89,7 +90,7 @@ static void expect_same_everywhere(const struct rig *rig, rhw_texture texture,
     const struct rhw_sample_request request = request_of(lanes, shifts);
     struct rhw_bindings bindings;
     for (int isa = 0; isa < RHW_ISA_COUNT; isa++) {
-        if (rhw_isa_supported((enum rhw_isa)isa)) {
+        if (isa_is_there((enum rhw_isa)isa)) {
             rhw_float texel[4];
             bind(&bindings, (enum rhw_isa)isa, rig, texture, sampler);
             rhw_sample(&bindings, SLOT, &request, texel);
