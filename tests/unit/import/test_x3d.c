@@ -577,6 +577,12 @@ static void test_corners(void **state)
          12,
          8,
          {{0, 'n', {0, -1, 0}}, {6, 'c', {0, 1, 0}}}},
+        // More normals than points, of which the first are used.
+        {"<IndexedFaceSet " FOLD ">" ROOF
+         "<Normal vector='0 0.6 0.8 0 -0.6 0.8 0 0.6 0.8 1 0 0 0 0 1'/></IndexedFaceSet>",
+         6,
+         4,
+         {{4, 'n', {0, -0.6f, 0.8f}}, {5, 'n', {1, 0, 0}}}},
         {"<TriangleSet colorPerVertex='false'><CoordinateDouble point='0 0 0 1 0 0 0 1 0 5 0 0 6 0 0 5 1 0'/>"
          "<Color color='1 0 0 0 1 0'/></TriangleSet>",
          6,
@@ -598,6 +604,27 @@ static void test_corners(void **state)
         }
         scene_model_free(model);
     }
+}
+
+// Heights of a grid may have as many digits as they like.
+static void test_long_heights(void **state)
+{
+    (void)state;
+    enum { DIGITS = 3000 };
+    static char height[DIGITS + 1];
+    memset(height, '0', DIGITS);
+    memcpy(height, "2.", 2);
+    write_format("h.x3d",
+                 "<X3D><Scene><Shape><ElevationGrid xDimension='2' zDimension='2' height='%s %s %s "
+                 "%s'/></Shape></Scene></X3D>",
+                 height, height, height, height);
+    struct scene_model *const model = load("h.x3d");
+    assert_int_equal(model->unsupported_count, 0);
+    assert_int_equal(model->triangles_drawn, 2);
+    for (uint32_t i = 0; i < model->meshes[0].vertex_count; i++) {
+        assert_true(model->meshes[0].positions[i][1] == 2);
+    }
+    scene_model_free(model);
 }
 
 // A set whose colours are too few has none, which is not black, and a reference to a blank parts numbers.
@@ -671,6 +698,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_quads_of_the_same_points),
     cmocka_unit_test(test_few_of_many_points),
     cmocka_unit_test(test_corners),
+    cmocka_unit_test(test_long_heights),
     cmocka_unit_test(test_lacking_colors),
     cmocka_unit_test(test_points_of_faces),
     cmocka_unit_test(test_lines),
