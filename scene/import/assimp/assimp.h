@@ -115,6 +115,12 @@ char *scene_assimp_name_images(char *text, size_t *size);
 /// Write the skews and lookats of a Collada document as matrices. Return the text, which may be another one by then. A
 /// 0 follows it.
 char *scene_assimp_write_matrices(struct scene_import *import, char *text, size_t *size);
+/// Write the images and samplers of a Collada document as assimp can read them. Return the text, which may be another
+/// one by then. A 0 follows it.
+char *scene_assimp_write_samplers(struct scene_import *import, char *text, size_t *size);
+/// Write the parameters of the effects of a Collada document in their places. Return the text, which may be another one
+/// by then. A 0 follows it.
+char *scene_assimp_write_effects(struct scene_import *import, char *text, size_t *size);
 /// Write the cameras of a Collada document as assimp can read them. Return the text, which may be another one by then.
 /// A 0 follows it.
 char *scene_assimp_write_cameras(struct scene_import *import, char *text, size_t *size);

@@ -127,6 +127,7 @@ char *scene_assimp_collada(struct scene_import *import, size_t *size)
     scene_assimp_collapse_texts(text, *size);
     scene_assimp_rename_convex(text, *size);
     scene_assimp_check_indices(import, text, *size);
+    text = scene_assimp_write_effects(import, scene_assimp_write_samplers(import, text, size), size);
     scene_assimp_number_sets(text, *size);
     text = scene_assimp_write_cameras(import, scene_assimp_name_images(text, size), size);
     return scene_assimp_write_matrices(import, text, size);

@@ -314,6 +314,41 @@ static bool is_default_grey(const float color[3])
     return is_default;
 }
 
+static bool is_black(const float color[3])
+{
+    return !(color[0] > 0 || color[1] > 0 || color[2] > 0);
+}
+
+// Make what a material without light sends out its colour, which it is in Collada: it has no other one there, but in
+// files that keep to no schema.
+static void show_emission(const struct scene_import *import, struct scene_phong *phong)
+{
+    const bool is_dark = is_black(phong->emissive) && phong->emissive_map.name == NULL;
+    if (!phong->unlit || strcmp(import->model.format, "Collada") != 0 || phong->color.name != NULL ||
+        (is_dark && !is_default_grey(phong->diffuse))) {
+        return;
+    }
+    memcpy(phong->diffuse, phong->emissive, sizeof phong->diffuse);
+    memset(phong->emissive, 0, sizeof phong->emissive);
+    phong->color = phong->emissive_map;
+    phong->emissive_map = scene_phong_texture_default();
+    phong->described = true;
+}
+
+// Let light that a material sends out come through its texture, as in formats for hardware and programs that multiply
+// the sum of all light by it.
+static void glow_through_texture(const struct scene_import *import, struct scene_phong *phong)
+{
+    static const char *const endings[] = {"3ds", "ac", "acc", "ase", "lwo", "lws", "ms3d", "x"};
+    bool is_multiplied = false;
+    for (size_t i = 0; i < sizeof endings / sizeof endings[0]; i++) {
+        is_multiplied = is_multiplied || strcasecmp(import->ending, endings[i]) == 0;
+    }
+    if (is_multiplied && phong->emissive_map.name == NULL && !is_black(phong->emissive)) {
+        phong->emissive_map = phong->color;
+    }
+}
+
 uint32_t scene_assimp_material(struct scene_import *import, const struct aiScene *scene,
                                const struct aiMaterial *source, bool colored)
 {
@@ -351,5 +386,7 @@ uint32_t scene_assimp_material(struct scene_import *import, const struct aiScene
     phong.unlit = is_x3d_unlit || shading == aiShadingMode_NoShading;
     phong.dull = shading == aiShadingMode_Gouraud;
     read_textures(&reader, &phong);
+    show_emission(import, &phong);
+    glow_through_texture(import, &phong);
     return scene_phong_add(import, &phong);
 }

@@ -125,9 +125,5 @@ char *scene_assimp_write_cameras(struct scene_import *import, char *text, size_t
         write_camera(&lens, id, unit > 0 ? unit : 1, camera, sizeof camera);
         scene_edits_add_string(import, &edits, (size_t)(c - text), (size_t)(last + 1 - c), camera);
     }
-    char *const changed = edits.count > 0 ? scene_edits_apply(import, &edits, text, size) : NULL;
-    if (changed != NULL) {
-        free(text);
-    }
-    return changed != NULL ? changed : text;
+    return scene_edits_replace(import, &edits, text, size);
 }

@@ -22,7 +22,9 @@ void scene_edits_add_string(struct scene_import *import, struct scene_edits *edi
 static int compare(const void *a, const void *b)
 {
     const struct scene_edit *const x = a, *const y = b;
-    return (x->at > y->at) - (x->at < y->at);
+    // What is inserted at a place stands before what replaces the bytes there.
+    return x->at != y->at ? (x->at > y->at) - (x->at < y->at)
+                          : (x->length > y->length) - (x->length < y->length);
 }
 
 // Return the size of a text after all changes. Return SIZE_MAX if they are in each other's way.
@@ -67,4 +69,13 @@ char *scene_edits_apply(struct scene_import *import, struct scene_edits *edits, 
     free(edits->list);
     *edits = (struct scene_edits){0};
     return text;
+}
+
+char *scene_edits_replace(struct scene_import *import, struct scene_edits *edits, char *text, size_t *size)
+{
+    char *const changed = edits->count > 0 ? scene_edits_apply(import, edits, text, size) : NULL;
+    if (changed != NULL) {
+        free(text);
+    }
+    return changed != NULL ? changed : text;
 }

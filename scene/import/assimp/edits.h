@@ -27,5 +27,8 @@ void scene_edits_add_string(struct scene_import *import, struct scene_edits *edi
 /// changes.
 char *scene_edits_apply(struct scene_import *import, struct scene_edits *edits, const char *bytes,
                         size_t *size);
+/// Return a text with all changes, a 0 behind it, and free the old one. Return the old one if two are in each other's
+/// way, or if there are none. Free the changes.
+char *scene_edits_replace(struct scene_import *import, struct scene_edits *edits, char *text, size_t *size);
 
 #endif

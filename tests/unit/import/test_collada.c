@@ -578,6 +578,151 @@ static void test_turned_nodes(void **state)
     }
 }
 
+// Write a triangle whose material has this effect, all that is within its tags, and this within those of its instance.
+static void write_effect(const char *effect, const char *settings)
+{
+    write_format(
+        "e.dae",
+        "<COLLADA version=\"1.4.1\"><library_materials><material id=\"m\"><instance_effect url=\"#e\">%s"
+        "</instance_effect></material></library_materials><library_effects><effect id=\"e\">%s</effect>"
+        "</library_effects><library_geometries><geometry id=\"g\"><mesh><source id=\"p\"><float_array "
+        "id=\"pa\" count=\"9\">0 0 0 1 0 0 0 1 0</float_array><technique_common><accessor source=\"#pa\" "
+        "count=\"3\" stride=\"3\"><param name=\"X\" type=\"float\"/><param name=\"Y\" type=\"float\"/><param "
+        "name=\"Z\" type=\"float\"/></accessor></technique_common></source><vertices id=\"v\"><input "
+        "semantic=\"POSITION\" source=\"#p\"/></vertices><triangles count=\"1\" material=\"s\"><input "
+        "semantic=\"VERTEX\" source=\"#v\" offset=\"0\"/><p>0 1 2</p></triangles></mesh></geometry>"
+        "</library_geometries><library_visual_scenes><visual_scene id=\"s0\"><node><instance_geometry "
+        "url=\"#g\"><bind_material><technique_common><instance_material symbol=\"s\" target=\"#m\"/>"
+        "</technique_common></bind_material></instance_geometry></node></visual_scene>"
+        "</library_visual_scenes><scene><instance_visual_scene url=\"#s0\"/></scene></COLLADA>",
+        settings, effect);
+}
+
+#define COMMON(text) "<profile_COMMON><technique sid=\"c\">" text "</technique></profile_COMMON>"
+#define RED          "<newparam sid=\"r\"><float3>1 0 0</float3></newparam>"
+
+// Parameters of effects, wherever they stand and whoever sets them, and materials that are what they send out.
+static void test_effects(void **state)
+{
+    (void)state;
+    static const char absent[] = "parameters of materials that are not there (Collada): not used";
+    static const struct {
+        const char *effect, *settings;
+        float color[3], alpha, emissive[3];
+        bool is_unlit;
+        const char *told;
+    } cases[] = {
+        {COMMON("<constant><emission><color>0 1 0 1</color></emission></constant>"),
+         "",
+         {0, 1, 0},
+         1,
+         {0, 0, 0},
+         true,
+         NULL},
+        {COMMON("<constant></constant>"), "", {0, 0, 0}, 1, {0, 0, 0}, true, NULL},
+        {COMMON("<constant><diffuse><color>1 0 0 1</color></diffuse></constant>"),
+         "",
+         {1, 0, 0},
+         1,
+         {0, 0, 0},
+         true,
+         NULL},
+        {RED COMMON("<lambert><diffuse><param ref=\"r\"/></diffuse></lambert>"),
+         "",
+         {1, 0, 0},
+         1,
+         {0, 0, 0},
+         false,
+         NULL},
+        {COMMON(RED "<phong><emission><param ref=\"r\"></param></emission><diffuse><color>0 0 1 1</color>"
+                    "</diffuse></phong>"),
+         "",
+         {0, 0, 1},
+         1,
+         {1, 0, 0},
+         false,
+         NULL},
+        {COMMON(RED "<newparam sid=\"a\"><float>0.25</float></newparam><lambert><diffuse><param ref='r'/>"
+                    "</diffuse><transparent opaque=\"A_ONE\"><color>1 1 1 1</color></transparent>"
+                    "<transparency><param ref='a'/></transparency></lambert>"),
+         "",
+         {1, 0, 0},
+         0.25f,
+         {0, 0, 0},
+         false,
+         NULL},
+        {RED COMMON("<lambert><diffuse><param ref=\"r\"/></diffuse></lambert>"),
+         "<setparam ref=\"r\"><float4>0 0 1 1</float4></setparam>",
+         {0, 0, 1},
+         1,
+         {0, 0, 0},
+         false,
+         NULL},
+        {RED COMMON("<lambert><diffuse><param ref=\"r\"/></diffuse></lambert>"),
+         "<setparam ref=\"q\"><float3>0 0 1</float3></setparam>",
+         {1, 0, 0},
+         1,
+         {0, 0, 0},
+         false,
+         NULL},
+        {RED COMMON("<lambert><diffuse><param ref=\"r\"/></diffuse></lambert>"),
+         "<setparam ref=\"r\"><surface type=\"2D\"/></setparam>",
+         {1, 0, 0},
+         1,
+         {0, 0, 0},
+         false,
+         "images and samplers that materials set (Collada): not used"},
+        {RED COMMON(
+             "<lambert><emission><param ref=\"q\"/></emission><diffuse><color>0 1 0 1</color></diffuse>"
+             "</lambert>"),
+         "",
+         {0, 1, 0},
+         1,
+         {0, 0, 0},
+         false,
+         absent},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        write_effect(cases[i].effect, cases[i].settings);
+        struct scene_model *const model = load("e.dae");
+        const struct scene_material *const material = &model->materials[model->meshes[0].material];
+        assert_floats(material->base_color, cases[i].color, 3, 1e-6f);
+        assert_floats(&material->base_color[3], &cases[i].alpha, 1, 1e-6f);
+        assert_floats(material->emissive, cases[i].emissive, 3, 1e-6f);
+        assert_int_equal(material->unlit, cases[i].is_unlit);
+        assert_int_equal(model->unsupported_count, cases[i].told != NULL);
+        assert_true(cases[i].told == NULL || is_unsupported(model, cases[i].told));
+        scene_model_free(model);
+    }
+}
+
+// Images and samplers as Collada 1.5 has them.
+static void test_samplers_1_5(void **state)
+{
+    (void)state;
+    write_bytes("a.ppm", "P6\n1 1\n255\n\x10\x20\x30", 14);
+    static const char *const changes[][2] = {
+        {"version=\"1.4.1\"", "version=\"1.5.0\""},
+        {"<init_from>gone.png</init_from>", "<init_from><ref>a.ppm</ref></init_from>"},
+        {"<newparam sid=\"f\"><surface type=\"2D\"><init_from>i</init_from></surface></newparam>", ""},
+        {"<sampler2D><source>f</source></sampler2D>", "<sampler2D><instance_image url=\"#i\"/></sampler2D>"},
+    };
+    char changed[8192];
+    make_document("", changed);
+    for (size_t i = 0; i < sizeof changes / sizeof changes[0]; i++) {
+        char *const place = strstr(changed, changes[i][0]);
+        assert_non_null(place);
+        char rest[8192];
+        strcpy(rest, place + strlen(changes[i][0]));
+        strcpy(place, changes[i][1]);
+        strcat(changed, rest);
+    }
+    struct scene_model *const model = load_text("x.dae", changed);
+    assert_int_equal(model->image_count, 1);
+    assert_false(model->images[0].missing);
+    scene_model_free(model);
+}
+
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_gaps_in_archive),
     cmocka_unit_test(test_relief),
@@ -593,6 +738,8 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_turned_nodes),
     cmocka_unit_test(test_texture_coordinate_sets),
     cmocka_unit_test(test_images_without_names),
+    cmocka_unit_test(test_effects),
+    cmocka_unit_test(test_samplers_1_5),
 };
 
 const struct unit_tests test_collada = UNIT_TESTS(tests, make_directory, remove_directory);
