@@ -10,6 +10,7 @@
 #include "import/builder/find_file.h"
 #include "import/builder/numbers.h"
 #include "import/builder/phong.h"
+#include "skins.h"
 #include "x3d_materials.h"
 
 const char *scene_assimp_string(struct scene_import *import, const struct aiString *string)
@@ -260,10 +261,35 @@ static bool has_images_with_alpha(const struct scene_import *import)
     return has;
 }
 
+// Take the skin that lies beside a model for games in place of one that is not there.
+static void read_skin(const struct reader *reader, struct scene_phong_texture *texture)
+{
+    struct scene_import_source skin = texture->source;
+    if (!scene_assimp_has_skins(reader->import) || skin.file != NULL || skin.bytes != NULL) {
+        return;
+    }
+    if (!scene_assimp_find_skin(reader->import, &skin)) {
+        if (texture->name == NULL) {
+            scene_import_unsupported(reader->import, "skins that the file does not name: not drawn");
+        }
+        return;
+    }
+    const char *const slash = strrchr(skin.file, '/');
+    const char *const name = slash == NULL ? skin.file : slash + 1;
+    if (texture->name == NULL) {
+        scene_import_warn(reader->import, "names no skin; \"%s\" beside it is drawn", name);
+    } else {
+        scene_import_warn(reader->import, "skin \"%s\" is not there; \"%s\" is drawn", texture->name, name);
+    }
+    texture->name = scene_import_string(reader->import, name, strlen(name));
+    texture->source = skin;
+}
+
 static void read_textures(const struct reader *reader, struct scene_phong *phong)
 {
     read_texture(reader, aiTextureType_BASE_COLOR, &phong->color);
     read_texture(reader, aiTextureType_DIFFUSE, &phong->color);
+    read_skin(reader, &phong->color);
     read_texture(reader, aiTextureType_OPACITY, &phong->opacity_map);
     phong->color.source.is_opacity = phong->color.name != NULL && has_images_with_alpha(reader->import);
     // Collada calls relief what may be heights or normals, which the image itself tells.

@@ -225,8 +225,8 @@ static bool write_effect(struct out *out, const struct effect *effect, const str
         if (last == NULL) {
             break;
         }
-        while (next_free < effect->parameters.count && (!effect->parameters.list[next_free].is_free ||
-                                                        effect->parameters.list[next_free].last < c)) {
+        while (next_free < effect->parameters.count &&
+               (!effect->parameters.list[next_free].is_free || effect->parameters.list[next_free].last < c)) {
             next_free++;
         }
         const struct parameter *const parameter =
@@ -303,9 +303,9 @@ static const struct effect *find_effect(const struct effects *effects, struct sc
 {
     const bool is_here = url.length > 1 && url.text[0] == '#';
     const struct scene_x3d_name *const found =
-        is_here ? scene_x3d_find_name(&effects->names,
-                                      (struct scene_collada_value){url.text + 1, url.length - 1})
-                : NULL;
+        is_here
+            ? scene_x3d_find_name(&effects->names, (struct scene_collada_value){url.text + 1, url.length - 1})
+            : NULL;
     return found == NULL ? NULL : &effects->list[found->at];
 }
 

@@ -12,8 +12,8 @@ struct work {
     struct scene_import *import;
     struct scene_edits edits;
     const char *text;
-    char *sampler;          // the > of the tag of a sampler that is open and has no address; else NULL
-    char *source;           // the <init_from> that is open in an image; else NULL
+    char *sampler;           // the > of the tag of a sampler that is open and has no address; else NULL
+    char *source;            // the <init_from> that is open in an image; else NULL
     bool is_image, is_named; // within an image; within its <init_from> stands an element that has a file
 };
 

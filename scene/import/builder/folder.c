@@ -182,3 +182,28 @@ bool scene_folder_find(struct scene_import *import, char *path, size_t known, bo
     }
     return scene_import_is_file(import, path);
 }
+
+const char *scene_folder_only_image(struct scene_import *import, const char *path)
+{
+    const size_t length = strlen(path);
+    char *const copied = scene_import_allocate(import, length + 256 + 1, 1);
+    strcpy(copied, path);
+    const struct scene_import_folder *const folder = folder_of(import, copied, copied + length);
+    const char *only = NULL;
+    size_t count = 0;
+    for (size_t i = 0; folder != NULL && i < folder->count; i++) {
+        const char *const name = folder->names[i];
+        if (ending_of(name) < READ_ENDINGS && strlen(name) < 256) {
+            strcpy(copied + length, name);
+            const bool is_file = scene_import_is_file(import, copied);
+            only = is_file ? name : only;
+            count += is_file;
+        }
+    }
+    if (count == 1) {
+        strcpy(copied + length, only);
+        return copied;
+    }
+    free(copied);
+    return NULL;
+}

@@ -10,6 +10,10 @@
 /// SCENE_FOLDER_ENDING bytes more and becomes the path of the file.
 bool scene_folder_find(struct scene_import *import, char *path, size_t known, bool any_ending);
 
+/// Return the path of the only image that may be read in the folder at `path`, which ends with a slash. Return NULL if
+/// there is none, or more.
+const char *scene_folder_only_image(struct scene_import *import, const char *path);
+
 enum { SCENE_FOLDER_ENDING = 8 };
 
 #endif

@@ -374,45 +374,6 @@ static void test_texts(void **state)
             "</geometry></library_geometries>" libraries                \
             SCENE(instances)
 
-// A model of Quake II: a triangle in one frame or two.
-static void test_frames(void **state)
-{
-    (void)state;
-    enum {
-        SKIN = 64,
-        CORNERS = 3,
-        FRAME = 40 + 4 * CORNERS,
-        HEAD = 68,
-        ST = HEAD + 64,
-        FACES = ST + 4 * CORNERS
-    };
-    enum {
-        FRAMES = FACES + 12,
-        MAX_FRAMES = 2,
-        SLACK = 256
-    }; // assimp refuses files that end where frames do
-    for (int32_t frames = 1; frames <= MAX_FRAMES; frames++) {
-        unsigned char bytes[FRAMES + MAX_FRAMES * FRAME + SLACK] = {0};
-        const int32_t end = FRAMES + frames * FRAME;
-        const int32_t head[] = {0x32504449, 8,      SKIN, SKIN, FRAME, 1,      CORNERS, CORNERS, 1,
-                                0,          frames, HEAD, ST,   FACES, FRAMES, HEAD,    end};
-        static const uint16_t face[] = {0, 1, 2, 0, 1, 2};
-        static const float scale[3] = {1, 1, 1};
-        memcpy(bytes, head, sizeof head);
-        memcpy(bytes + FACES, face, sizeof face);
-        for (int32_t i = 0; i < frames; i++) {
-            unsigned char *const frame = bytes + FRAMES + i * FRAME;
-            memcpy(frame, scale, sizeof scale);
-            frame[40 + 4] = frame[40 + 8 + 1] = 9;
-        }
-        write_bytes("f.md2", bytes, sizeof bytes);
-        struct scene_model *const model = load("f.md2");
-        assert_int_equal(model->meshes[0].vertex_count, 3);
-        assert_true(is_unsupported(model, "frames after the first: not drawn") == (frames > 1));
-        scene_model_free(model);
-    }
-}
-
 static void append(unsigned char *bytes, size_t *size, const void *more, size_t count)
 {
     memcpy(bytes + *size, more, count);
@@ -770,15 +731,23 @@ static void test_warnings(void **state)
 }
 
 static const struct CMUnitTest tests[] = {
-    cmocka_unit_test(test_warnings),   cmocka_unit_test(test_vertices),
-    cmocka_unit_test(test_ase),        cmocka_unit_test(test_ase_faces),
-    cmocka_unit_test(test_gamestudio), cmocka_unit_test(test_no_colors),
-    cmocka_unit_test(test_materials),  cmocka_unit_test(test_texts),
-    cmocka_unit_test(test_entities),   cmocka_unit_test(test_drawings),
-    cmocka_unit_test(test_schema),     cmocka_unit_test(test_meshes_without_faces),
-    cmocka_unit_test(test_log),        cmocka_unit_test(test_textures),
-    cmocka_unit_test(test_collada),    cmocka_unit_test(test_words),
-    cmocka_unit_test(test_frames),     cmocka_unit_test(test_cameras_and_lights),
+    cmocka_unit_test(test_warnings),
+    cmocka_unit_test(test_vertices),
+    cmocka_unit_test(test_ase),
+    cmocka_unit_test(test_ase_faces),
+    cmocka_unit_test(test_gamestudio),
+    cmocka_unit_test(test_no_colors),
+    cmocka_unit_test(test_materials),
+    cmocka_unit_test(test_texts),
+    cmocka_unit_test(test_entities),
+    cmocka_unit_test(test_drawings),
+    cmocka_unit_test(test_schema),
+    cmocka_unit_test(test_meshes_without_faces),
+    cmocka_unit_test(test_log),
+    cmocka_unit_test(test_textures),
+    cmocka_unit_test(test_collada),
+    cmocka_unit_test(test_words),
+    cmocka_unit_test(test_cameras_and_lights),
 };
 
 const struct unit_tests test_gaps = UNIT_TESTS(tests, make_directory, remove_directory);

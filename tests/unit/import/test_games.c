@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+// Models for games: their frames, their skins, and what their materials send out.
+#include "model_files.h"
+
+#include <stdio.h>
+#include <string.h>
+#include <sys/stat.h>
+
+// Write a model of Quake II, a triangle, with this many frames and the name of its skin.
+static void write_md2(const char *name, const char *skin, int32_t frames)
+{
+    enum {
+        SKIN = 64,
+        CORNERS = 3,
+        FRAME = 40 + 4 * CORNERS,
+        HEAD = 68,
+        ST = HEAD + 64,
+        FACES = ST + 4 * CORNERS
+    };
+    enum {
+        FRAMES = FACES + 12,
+        MAX_FRAMES = 2,
+        SLACK = 256
+    }; // assimp refuses files that end where frames do
+    unsigned char bytes[FRAMES + MAX_FRAMES * FRAME + SLACK] = {0};
+    const int32_t end = FRAMES + frames * FRAME;
+    const int32_t head[] = {0x32504449, 8,      SKIN, SKIN, FRAME, 1,      CORNERS, CORNERS, 1,
+                            0,          frames, HEAD, ST,   FACES, FRAMES, HEAD,    end};
+    static const uint16_t face[] = {0, 1, 2, 0, 1, 2};
+    static const float scale[3] = {1, 1, 1};
+    memcpy(bytes, head, sizeof head);
+    strcpy((char *)bytes + HEAD, skin);
+    memcpy(bytes + FACES, face, sizeof face);
+    for (int32_t i = 0; i < frames; i++) {
+        unsigned char *const frame = bytes + FRAMES + i * FRAME;
+        memcpy(frame, scale, sizeof scale);
+        frame[40 + 4] = frame[40 + 8 + 1] = 9;
+    }
+    write_bytes(name, bytes, sizeof bytes);
+}
+
+static void test_frames(void **state)
+{
+    (void)state;
+    for (int32_t frames = 1; frames <= 2; frames++) {
+        write_md2("f.md2", "", frames);
+        struct scene_model *const model = load("f.md2");
+        assert_int_equal(model->meshes[0].vertex_count, 3);
+        assert_true(is_unsupported(model, "frames after the first: not drawn") == (frames > 1));
+        scene_model_free(model);
+    }
+}
+
+// The skin of a model for games lies beside it where its file names none, or one that is not there.
+static void test_skins(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *skin, *files[2], *found;
+        bool is_told;
+    } cases[] = {
+        {"models/a/b.pcx", {"s/b.ppm"}, "b.ppm", false},
+        {"b.pcx", {"s/x.ppm", "s/c.ppm"}, "x.ppm", true},
+        {"", {"s/x.ppm", "s/c.ppm"}, "x.ppm", true},
+        {"b.pcx", {"s/skin.ppm", "s/c.ppm"}, "skin.ppm", true},
+        {"b.pcx", {"skin.ppm", "s/c.ppm"}, "skin.ppm", true},
+        {"b.pcx", {"s/c.ppm", NULL}, "c.ppm", true},
+        {"b.pcx", {"c.ppm", NULL}, "c.ppm", true},
+        {"b.pcx", {"s/c.ppm", "s/d.ppm"}, NULL, true},
+        {"b.pcx", {"c.ppm", "d.ppm"}, NULL, true},
+        {"", {NULL, NULL}, NULL, false},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        assert_int_equal(mkdir(path_of("g"), 0700) | mkdir(path_of("g/s"), 0700), 0);
+        for (size_t k = 0; k < 2 && cases[i].files[k] != NULL; k++) {
+            char path[64];
+            snprintf(path, sizeof path, "g/%s", cases[i].files[k]);
+            write_bytes(path, "P6\n1 1\n255\n\x10\x20\x30", 14);
+        }
+        write_md2("g/s/x.md2", cases[i].skin, 1);
+        struct scene_model *const model = load("g/s/x.md2");
+        const bool is_there = model->image_count == 1 && !model->images[0].missing;
+        assert_int_equal(is_there, cases[i].found != NULL);
+        assert_int_equal(model->warning_count, cases[i].is_told);
+        assert_int_equal(model->unsupported_count, cases[i].skin[0] == 0 && cases[i].found == NULL);
+        if (is_there) {
+            assert_string_equal(model->images[0].name, cases[i].is_told ? cases[i].found : cases[i].skin);
+        }
+        scene_model_free(model);
+        remove_folder("g/s");
+        remove_folder("g");
+    }
+}
+
+// What a material sends out comes through its texture where programs multiply the sum of all light by it.
+static void test_glow(void **state)
+{
+    (void)state;
+    write_bytes("a.ppm", "P6\n1 1\n255\n\x10\x20\x30", 14);
+    for (int is_textured = 0; is_textured < 2; is_textured++) {
+        write_format("a.ac",
+                     "AC3Db\nMATERIAL \"m\" rgb 1 1 1 amb 0 0 0 emis 1 1 1 spec 0 0 0 shi 0 trans 0\nOBJECT "
+                     "world\nkids 1\nOBJECT poly\nname \"a\"\n%snumvert 3\n0 0 0\n1 0 0\n0 1 0\nnumsurf 1\n"
+                     "SURF 0x20\nmat 0\nrefs 3\n0 0 0\n1 1 0\n2 0 1\nkids 0\n",
+                     is_textured ? "texture \"a.ppm\"\n" : "");
+        struct scene_model *const model = load("a.ac");
+        const struct scene_material *const material = &model->materials[model->meshes[0].material];
+        assert_int_equal(material->slots[SCENE_SLOT_EMISSIVE].image, is_textured - 1);
+        assert_floats(material->emissive, (const float[]){1, 1, 1}, 3, 0);
+        scene_model_free(model);
+    }
+}
+
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_frames),
+    cmocka_unit_test(test_skins),
+    cmocka_unit_test(test_glow),
+};
+
+const struct unit_tests test_games = UNIT_TESTS(tests, make_directory, remove_directory);
