@@ -34,8 +34,8 @@ static const char *find_only(struct scene_import *import, const char *above)
 
 bool scene_assimp_find_skin(struct scene_import *import, struct scene_import_source *source)
 {
-    const char *const slash = strrchr(import->name, '/'), *const file = slash == NULL ? import->name : slash + 1,
-                      *const dot = strrchr(file, '.');
+    const char *const slash = strrchr(import->name, '/'),
+                      *const file = slash == NULL ? import->name : slash + 1, *const dot = strrchr(file, '.');
     char own[256];
     snprintf(own, sizeof own, "%.*s.png", dot == NULL ? 0 : (int)(dot - file), file);
     const char *const names[] = {own, "skin.png", "../skin.png"};

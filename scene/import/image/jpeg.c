@@ -60,6 +60,24 @@ const char *scene_jpeg_problem(const unsigned char *bytes, size_t size)
     return NULL;
 }
 
+size_t scene_jpeg_tails(const unsigned char *bytes, size_t size, size_t most, size_t *places)
+{
+    enum { FIRST = 0xc0, FIRST_RESTART = 0xd0, LAST_RESTART = 0xd7, SCAN = 0xda };
+    size_t at = 0, count = 0;
+    int marker = 0;
+    while (marker != SCAN && marker >= 0) {
+        marker = next_marker(bytes, size, &at);
+    }
+    for (; at + 3 < size && count < most; at++) {
+        const unsigned next = bytes[at + 3];
+        const bool is_end = next >= FIRST && next != FILL && (next < FIRST_RESTART || next > LAST_RESTART);
+        if (bytes[at] == FILL && bytes[at + 1] == 0 && bytes[at + 2] == FILL && is_end) {
+            places[count++] = at;
+        }
+    }
+    return count;
+}
+
 bool scene_jpeg_size(const unsigned char *bytes, size_t size, uint32_t *width, uint32_t *height)
 {
     // Frames begin by these markers, but for three that stand among them (table B.1).

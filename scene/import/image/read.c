@@ -279,6 +279,41 @@ static const char *decode_endless(const unsigned char *bytes, size_t size, struc
     return NULL;
 }
 
+// Decode a JPEG some of whose scans have a last byte of 0xff that is not needed.
+// stb_image before version 2.28 takes it for a mark. It is replaced where the rest cannot be decoded with it, which
+// shows that nothing has read it.
+static const char *decode_tailed(const unsigned char *bytes, size_t size, struct scene_image *image)
+{
+    enum { MOST = 32, TAIL = 0xff, OTHER = 0xfe };
+    size_t places[MOST];
+    const size_t count = scene_jpeg_tails(bytes, size, MOST, places);
+    unsigned char *const changed = malloc(size);
+    if (changed == NULL) {
+        return "outofmem";
+    }
+    memcpy(changed, bytes, size);
+    for (size_t i = 0; i < count; i++) {
+        changed[places[i]] = OTHER;
+    }
+    struct scene_image decoded = *image;
+    const char *problem = decode_by_stb(changed, size, NULL, &decoded);
+    for (size_t i = 0; i < count && problem == NULL; i++) {
+        struct scene_image trial = *image;
+        changed[places[i]] = TAIL;
+        if (decode_by_stb(changed, size, NULL, &trial) == NULL) {
+            free(decoded.texels);
+            decoded = trial;
+        } else {
+            changed[places[i]] = OTHER;
+        }
+    }
+    free(changed);
+    if (problem == NULL) {
+        *image = decoded;
+    }
+    return problem;
+}
+
 static const char *decode_jpeg(const unsigned char *bytes, size_t size, struct scene_image *image)
 {
     bool lacks_end;
@@ -287,8 +322,11 @@ static const char *decode_jpeg(const unsigned char *bytes, size_t size, struct s
     if (gap != NULL) {
         return gap;
     }
-    const char *const problem =
+    const char *problem =
         lacks_end ? decode_endless(bytes, size, image) : decode_by_stb(bytes, size, NULL, image);
+    if (problem != NULL && strcmp(problem, "unknown marker") == 0) {
+        problem = decode_tailed(bytes, size, image);
+    }
     // stb_image tries PNG first. The reason is that of the trial where JPEG fails without one.
     const bool lacks_reason = problem != NULL && (problem == unknown || strcmp(problem, "bad png sig") == 0);
     return lacks_reason ? "damaged JPEG" : problem;

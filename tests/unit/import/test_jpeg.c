@@ -114,6 +114,13 @@ static void test_jpeg_gaps(void **state)
         {BYTES(THREE), BYTES(SCAN DATA MARK), false, false, false, "damaged JPEG: scans are not there"},
         {BYTES(BASELINE), BYTES("\xff\xda\0\x08\1\7\0\0\x3f\0" DATA MARK), false, false, false,
          "damaged JPEG: a scan of a component that is not there"},
+        // The last byte of a scan is needed by nothing.
+        {BYTES(BASELINE), BYTES(SCAN DATA "\0\0\0\0\0\0\0\xff\0" MARK), false, false, false, NULL},
+        {BYTES(PROGRESSIVE),
+         BYTES(FIRST_SCAN "\xbf\0\1\1\1\1\1\1\1\xff\0" OTHERS "\0\0\0\0\0\0\0\0\xff\0" MARK), false, false,
+         false, NULL},
+        {BYTES(BASELINE), BYTES(SCAN DATA "\0\0\0\0\0\0\0\xff\0" MARK), true, false, false,
+         "damaged JPEG: a table of quantization is not there"},
         {BYTES(PROGRESSIVE), BYTES(FIRST_SCAN "\xbf\0\1" MARK), false, true, false, NULL},
         {BYTES(PROGRESSIVE), BYTES(FIRST_SCAN "\xbf\0\1" OTHERS "\0\0" MARK), false, false, false, NULL},
         {BYTES(PROGRESSIVE), BYTES(FIRST_SCAN "\xbf\0\1" OTHERS "\0\0"), false, false, true, NULL},
