@@ -242,7 +242,8 @@ struct shading {
     enum scene_import_normals made; // what is used where it has none, or not these
     bool has_creases;
     double crease_cosine;
-    bool is_repeated; // vertices may be the same
+    bool is_repeated;    // vertices may be the same
+    bool has_own_points; // vertices at one place are apart
 };
 
 static struct shading shading_of(const struct reader *reader, uint32_t index)
@@ -251,12 +252,14 @@ static struct shading shading_of(const struct reader *reader, uint32_t index)
     double cosine;
     if (strcasecmp(reader->import->ending, "x3d") == 0 &&
         scene_x3d_normals_of(reader->scene->mMeshes[index], &normals, &cosine)) {
-        const bool is_creased = normals == SCENE_X3D_CREASED;
+        const bool is_shared = normals == SCENE_X3D_SHARED,
+                   is_creased = normals == SCENE_X3D_CREASED || is_shared;
         return (struct shading){.has_normals = normals == SCENE_X3D_GIVEN,
                                 .made = is_creased && cosine >= 1 ? SCENE_IMPORT_FLAT : SCENE_IMPORT_SMOOTH,
                                 .has_creases = is_creased,
                                 .crease_cosine = cosine,
-                                .is_repeated = true};
+                                .is_repeated = !is_shared,
+                                .has_own_points = is_shared};
     }
     const enum scene_blender_shading shading = reader->shadings[index];
     return (struct shading){.has_normals = shading == SCENE_BLENDER_SMOOTH,
@@ -311,11 +314,13 @@ static void add_mesh(struct reader *reader, uint32_t index)
     scene_import_place_mesh(import, origin);
     reader->meshes[index] = import->model.mesh_count - 1;
     // Formats that list every corner of every face hold each vertex several times.
-    const bool repeated = (mesh.index_count == count && count > 3) || shading.is_repeated;
+    const bool repeated =
+        !shading.has_own_points && ((mesh.index_count == count && count > 3) || shading.is_repeated);
     import->has_creases = shading.has_creases;
+    import->has_own_points = shading.has_own_points;
     import->crease_cosine = shading.crease_cosine;
     scene_import_complete_mesh(import, reader->meshes[index], shading.made, repeated);
-    import->has_creases = false;
+    import->has_creases = import->has_own_points = false;
 }
 
 // Nodes ---------------------------------------------------------------------------------------------

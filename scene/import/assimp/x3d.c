@@ -198,6 +198,7 @@ static char *write_tags(struct scene_import *import, char *source, size_t *size)
     const size_t room = (size_t)1 << 23, per_byte = 8, most_read = (size_t)1 << 28;
     struct scene_x3d_faces faces = {.largest = room + per_byte * *size, .most_read = most_read + *size};
     struct hidden hidden = {0};
+    struct scene_x3d_materials materials = {0};
     char *close;
     for (char *tag = strchr(text, '<'); tag != NULL; tag = strchr(close, '<')) {
         close = scene_collada_markup_end(tag, text + *size);
@@ -209,7 +210,7 @@ static char *write_tags(struct scene_import *import, char *source, size_t *size)
             scene_edits_add_string(import, &edits, (size_t)(tag + 4 - text), 0, SCENE_X3D_FILLER);
         } else if (!write_metadata(import, &edits, text, tag, close) &&
                    !scene_assimp_write_faces(import, &edits, &faces, text, tag, close, text + *size) &&
-                   !scene_assimp_write_material(import, &edits, text, tag, close) &&
+                   !scene_assimp_write_material(import, &edits, &materials, text, tag, close) &&
                    !scene_assimp_write_group(import, &edits, text, tag, close)) {
             write_address(import, &edits, text, tag, close);
             if (hidden.open == 0 || hidden.is_named) {

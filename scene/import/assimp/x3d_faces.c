@@ -89,7 +89,7 @@ static void write_tuples(struct out *out, const struct scene_x3d_set *set, enum 
 }
 
 // Return the first number of the normal behind the last point: the crease angle in radians, −1 where the set has
-// normals and −2 where the file leaves it open.
+// normals, −2 where the file leaves it open, and −3 where faces are smooth as far as they share points.
 static double crease_of(const struct scene_x3d_set *set)
 {
     double angle = 0;
@@ -101,7 +101,8 @@ static double crease_of(const struct scene_x3d_set *set)
         return 0;
     }
     if (!set->kind->has_crease_angle) {
-        return -2;
+        const bool shares_points = set->kind->index != NULL || set->kind->counts != NULL;
+        return !shares_points ? 0 : set->is_parted ? -2 : -3;
     }
     const struct scene_collada_value value = scene_collada_attribute(set->tag, set->close, "creaseAngle");
     const char *const end = value.text + value.length;
@@ -363,8 +364,11 @@ bool scene_x3d_normals_of(const struct aiMesh *mesh, enum scene_x3d_normals *nor
         return false;
     }
     const double angle = (double)mark->x, half_turn = 3.14159;
-    *normals = angle >= 0 ? SCENE_X3D_CREASED : angle > -1.5 ? SCENE_X3D_GIVEN : SCENE_X3D_OPEN;
-    *cosine = angle >= half_turn ? -1 : angle > 0 ? scene_cos(angle) : 1;
+    *normals = angle >= 0     ? SCENE_X3D_CREASED
+               : angle > -1.5 ? SCENE_X3D_GIVEN
+               : angle > -2.5 ? SCENE_X3D_OPEN
+                              : SCENE_X3D_SHARED;
+    *cosine = angle >= half_turn || *normals == SCENE_X3D_SHARED ? -1 : angle > 0 ? scene_cos(angle) : 1;
     return true;
 }
 

@@ -23,9 +23,10 @@ struct scene_x3d_faces {
 
 /// What a set says of its normals.
 enum scene_x3d_normals {
-    SCENE_X3D_OPEN,   ///< nothing: they are made as for other formats
-    SCENE_X3D_GIVEN,  ///< it has them
-    SCENE_X3D_CREASED ///< they are made, up to an angle
+    SCENE_X3D_OPEN,    ///< nothing: they are made as for other formats
+    SCENE_X3D_GIVEN,   ///< it has them
+    SCENE_X3D_CREASED, ///< they are made, up to an angle
+    SCENE_X3D_SHARED   ///< they are made, and smooth where faces share points
 };
 
 /// Write a tag of a set of faces, from `tag` to `close`, or of what belongs to its corners. The document begins at
@@ -34,7 +35,7 @@ bool scene_assimp_write_faces(struct scene_import *import, struct scene_edits *e
                               struct scene_x3d_faces *faces, const char *text, char *tag, char *close,
                               const char *end);
 /// Find what a set that was written says of the normals of the mesh that it has become. Set the cosine of its crease
-/// angle where it says SCENE_X3D_CREASED, 1 where all faces are flat. Return false for another mesh.
+/// angle where these are made, 1 where all faces are flat. Return false for another mesh.
 bool scene_x3d_normals_of(const struct aiMesh *mesh, enum scene_x3d_normals *normals, double *cosine);
 void scene_x3d_free_faces(struct scene_x3d_faces *faces);
 

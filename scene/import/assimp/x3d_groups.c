@@ -179,6 +179,19 @@ static char *write_use(struct work *work, char *tag, char *close, const char *en
     return last;
 }
 
+// Return true for the tag of a node that is written as often as it is used: groups, and what assimp would search all
+// nodes of the document for at each use.
+static bool is_written_again(const char *tag)
+{
+    static const char *const nodes[] = {"Shape", "Appearance", "Material", "ImageTexture",
+                                        "TextureTransform"};
+    bool is_node = find_group(tag) != NULL;
+    for (size_t i = 0; i < sizeof nodes / sizeof nodes[0]; i++) {
+        is_node = is_node || scene_collada_is_tag(tag, nodes[i]);
+    }
+    return is_node;
+}
+
 // Look at a tag. Return the > at its end, or at that of its element where it stands for another one.
 static char *repeat(struct work *work, char *tag, char *close, const char *end)
 {
@@ -191,13 +204,13 @@ static char *repeat(struct work *work, char *tag, char *close, const char *end)
     if (tag[1] == '!' || tag[1] == '?') {
         return close;
     }
-    const bool is_group = find_group(tag) != NULL;
-    char *const last = is_group ? write_use(work, tag, close, end) : NULL;
+    const bool is_repeated = is_written_again(tag);
+    char *const last = is_repeated ? write_use(work, tag, close, end) : NULL;
     if (last != NULL) {
         return last;
     }
     struct element element = {.at = place_of(work, tag)};
-    if (is_group) {
+    if (is_repeated) {
         element.name = scene_collada_attribute(tag, close, "DEF");
     }
     if (close[-1] == '/') {

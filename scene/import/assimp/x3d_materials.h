@@ -8,9 +8,17 @@
 /// The shininess of a material without light, as it is written for assimp. Files have 0 to 1.
 #define SCENE_X3D_UNLIT (-1024.0f)
 
-/// Write a tag of a material of X3D 4, from `tag` to `close`, as one of X3D 3. `text` is where the document begins.
-/// Return false if it is another tag. Tell what is lost.
-bool scene_assimp_write_material(struct scene_import *import, struct scene_edits *edits, const char *text,
-                                 char *tag, char *close);
+/// What is kept between the tags of a document. At its beginning all is zero.
+struct scene_x3d_materials {
+    bool is_open, is_unlit; ///< within a material, and one without light
+    const char *left;       ///< the name of the texture that is left out until its end; else NULL
+    size_t left_length;
+};
+
+/// Write a tag of a material of X3D 4, from `tag` to `close`, or of a texture in one, as those of X3D 3. The document
+/// begins at `text`. Return false if it is another tag, or one of a texture that is used. Tell what is lost.
+bool scene_assimp_write_material(struct scene_import *import, struct scene_edits *edits,
+                                 struct scene_x3d_materials *materials, const char *text, char *tag,
+                                 char *close);
 
 #endif

@@ -104,6 +104,8 @@ struct scene_import {
     // Smooth normals of meshes are made across edges up to an angle of this cosine, or the usual one (smooth.c).
     bool has_creases;
     double crease_cosine;
+    // Faces that share no vertices are not smooth, wherever these stand.
+    bool has_own_points;
     // Looks at corners that polygons took beyond what is usual, and polygons that became fans for it (polygon.c).
     uint64_t more_looks;
     uint32_t fan_count;

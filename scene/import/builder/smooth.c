@@ -424,6 +424,16 @@ static void release(struct smoothing *smoothing)
     }
 }
 
+// Make each vertex a point, also those at one place.
+static uint32_t *own_points(struct scene_import *import, uint32_t vertices)
+{
+    uint32_t *const point = scene_import_allocate_any(import, vertices, sizeof *point);
+    for (uint32_t i = 0; i < vertices; i++) {
+        point[i] = i;
+    }
+    return point;
+}
+
 void scene_import_make_smooth(struct scene_import *import, struct scene_mesh *mesh, const uint32_t *polygons)
 {
     const uint32_t vertices = mesh->vertex_count;
@@ -436,7 +446,8 @@ void scene_import_make_smooth(struct scene_import *import, struct scene_mesh *me
         smoothing.crease_cosine = import->crease_cosine;
         smoothing.even_cosine = sqrt((1 + import->crease_cosine) / 2);
     }
-    smoothing.point = scene_import_weld_positions(import, mesh);
+    smoothing.point =
+        import->has_own_points ? own_points(import, vertices) : scene_import_weld_positions(import, mesh);
     smoothing.points = scene_import_allocate(import, vertices, sizeof *smoothing.points);
     smoothing.uneven = scene_import_allocate(import, vertices, sizeof *smoothing.uneven);
     sum_all(&smoothing);

@@ -68,6 +68,7 @@ static void test_materials(void **state)
         {"<PhysicalMaterial metallic='0' baseColor='0 0 1'/>", {0, 0, 1}, {0, 0, 0}, false, true},
         {"<PhysicalMaterial DEF='baseColors' baseColor = '0 0 1'/>", {0, 0, 1}, {0, 0, 0}, false, true},
         {"<PhysicalMaterial DEF='p' emissiveColor='1 0 0'/>", {1, 1, 1}, {1, 0, 0}, false, true},
+        {"<Material diffuseColor='1 0 0'><!-- none --></Material>", {1, 0, 0}, {0, 0, 0}, false, false},
     };
     write_texels((const unsigned char[]){255, 255});
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
@@ -94,6 +95,52 @@ static void test_materials(void **state)
         assert_floats(model->materials[model->meshes[i].material].base_color, (const float[]){1, 0, 0}, 3, 0);
     }
     scene_model_free(model);
+}
+
+// Textures stand in the fields of materials. The one of the colour is drawn.
+static void test_textures_of_materials(void **state)
+{
+    (void)state;
+    static const char physical[] = "physically based materials (X3D): drawn dull, in their base colour",
+                      normals[] = "textures of the field normalTexture (X3D): not used",
+                      glow[] = "textures of the field emissiveTexture (X3D): not used";
+    static const struct {
+        const char *text;
+        bool is_drawn;
+        const char *told[2];
+    } cases[] = {
+        {"<Material><ImageTexture containerField='diffuseTexture' url='\"a.tga\"'/></Material>", true, {NULL}},
+        {"<PhysicalMaterial baseColor='1 1 1'>\n<ImageTexture containerField='baseTexture' "
+         "url='\"a.tga\"'></ImageTexture></PhysicalMaterial>",
+         true,
+         {physical}},
+        {"<UnlitMaterial><ImageTexture containerField=\"emissiveTexture\" url='\"a.tga\"'/></UnlitMaterial>",
+         true,
+         {NULL}},
+        {"<Material><ImageTexture containerField='normalTexture' url='\"b.tga\"'/>"
+         "<ImageTexture containerField='emissiveTexture' url='\"b.tga\"'></ImageTexture></Material>"
+         "<ImageTexture url='\"a.tga\"'/>",
+         true,
+         {normals, glow}},
+        {"<PhysicalMaterial><ImageTexture containerField='normalTexture' "
+         "url='\"b.tga\"'/></PhysicalMaterial>",
+         false,
+         {physical, normals}},
+    };
+    write_texels((const unsigned char[]){255, 255});
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        write_format("m.x3d", "<X3D><Scene>" SHAPE("%s") "</Scene></X3D>", cases[i].text);
+        struct scene_model *const model = load("m.x3d");
+        const struct scene_material *const material = &model->materials[model->meshes[0].material];
+        assert_int_equal(material->slots[SCENE_SLOT_BASE_COLOR].image, cases[i].is_drawn ? 0 : -1);
+        assert_int_equal(model->image_count, cases[i].is_drawn);
+        assert_int_equal(model->warning_count, 0);
+        for (size_t k = 0; k < 2; k++) {
+            assert_true(cases[i].told[k] == NULL || is_unsupported(model, cases[i].told[k]));
+        }
+        assert_int_equal(model->unsupported_count, (cases[i].told[0] != NULL) + (cases[i].told[1] != NULL));
+        scene_model_free(model);
+    }
 }
 
 // The alpha of a texture is that of its surface, in AC3D too.
@@ -517,6 +564,21 @@ static void test_corners(void **state)
          6,
          4,
          {{0, 'n', {0.149f, 0, 0.989f}}}},
+        // Triangles with indices are smooth across any edge whose points they share, and others are flat.
+        {"<IndexedTriangleSet index='0 2 1 0 1 3'><Coordinate point='0 0 0 0 1 0 1 0 0 0 0 -1'/>"
+         "</IndexedTriangleSet>",
+         6,
+         4,
+         {{0, 'n', {-0.7071f, 0, 0.7071f}}}},
+        {"<IndexedTriangleSet index='0 1 2 3 4 5'><Coordinate point='0 0 0 1 0 0 0 1 0 0 0 0 0 1 0 -1 0 "
+         "-0.3'/></IndexedTriangleSet>",
+         6,
+         6,
+         {{0, 'n', {0, 0, 1}}}},
+        {"<TriangleSet><Coordinate point='0 0 0 1 0 0 0 1 0 0 0 0 0 1 0 -1 0 -0.3'/></TriangleSet>",
+         6,
+         6,
+         {{0, 'n', {0, 0, 1}}}},
         {"<IndexedFaceSet normalPerVertex='false' " FOLD ">" ROOF
          "<Normal vector='0 0.6 0.8 0 -0.6 0.8'/></IndexedFaceSet>",
          6,
@@ -688,6 +750,7 @@ static void test_lines(void **state)
 
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_addresses),
+    cmocka_unit_test(test_textures_of_materials),
     cmocka_unit_test(test_alpha_of_textures),
     cmocka_unit_test(test_materials),
     cmocka_unit_test(test_nodes),
