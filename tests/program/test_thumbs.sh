@@ -136,7 +136,8 @@ cp among/cube.obj among/other.obj
 echo mine >outside/mine
 ln -s ../outside/mine among/cube.obj.png
 ln -s third.png among/other.obj.png
-echo "not newer" >among/third.png
+"$rhw" thumbs in -o made --size 32 --quiet
+cp made/cube.obj.png among/third.png
 touch -d '1 hour ago' outside/mine among/third.png
 run thumbs among -o among --size 16
 check "a link out: status" test "$status" = 1
@@ -160,8 +161,14 @@ ln -sf cube.obj pack/other.obj.png
 cp cube.obj pack/other.obj
 rm -r pack/sub
 run thumbs pack -o pack --size 16 --force
-check "a link to a model: a line" grep -q "^rhw: pack/other.obj.png: is a link to a file that is no .png; no picture is written there$" "$folder/log/err"
+check "a link to a model: a line" grep -q "^rhw: pack/other.obj.png: is a link to a file that is no thumbnail; no picture is written there$" "$folder/log/err"
 check "a link to a model: the model" cmp cube.obj pack/cube.obj
+"$rhw" render cube.obj -o pack/texture.png --size 8
+cp pack/texture.png texture.png
+ln -sf texture.png pack/other.obj.png
+run thumbs pack -o pack --size 16 --force
+check "a link to a texture: a line" grep -q "^rhw: pack/other.obj.png: is a link to a file that is no thumbnail; no picture is written there$" "$folder/log/err"
+check "a link to a texture: the texture" cmp texture.png pack/texture.png
 check "a link to a model: the others" test "$(size_of pack/cube.obj.png)" = 16x16
 
 refuse 2 "thumbs: -o OUT is missing" thumbs in

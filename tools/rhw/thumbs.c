@@ -173,17 +173,8 @@ static bool is_link_out(const struct thumbs *t, const char *path)
     return is_out;
 }
 
-static bool is_png(const char *file)
-{
-    char *const target = system_file_resolve(file);
-    const char *const dot = target ? strrchr(target, '.') : NULL;
-    const bool is_ending = dot && strcasecmp(dot, ".png") == 0;
-    free(target);
-    return is_ending;
-}
-
 // Whether no picture is to be written there. A pipe would be waited for, to read it and to write it. A link may lead to
-// a model.
+// a model or to its texture, and is followed to a thumbnail alone.
 static bool is_taken(const struct thumbs *t, const char *picture)
 {
     struct stat status;
@@ -197,8 +188,8 @@ static bool is_taken(const struct thumbs *t, const char *picture)
     if (is_link_out(t, picture)) {
         return true;
     }
-    if (system_file_is_link(picture) && !is_png(picture)) {
-        cli_error(picture, "is a link to a file that is no .png; no picture is written there");
+    if (system_file_is_link(picture) && !cli_thumb_mark_differs(picture, "")) {
+        cli_error(picture, "is a link to a file that is no thumbnail; no picture is written there");
         return true;
     }
     return false;
