@@ -223,7 +223,8 @@ def test_hostile_arguments(name):
     choose = random.Random(name)
     refused = 0
     tries = 1500 if good else 1
-    tries = 700 if name == "make" else tries  # each that succeeds is a process
+    # Each of `make` that succeeds is a process, and each of `compile` takes milliseconds, of four arguments.
+    tries = {"make": 700, "compile": 300}.get(name, tries)
     for _ in range(tries):
         arguments = good
         for _ in range(choose.choice((1, 1, 1, 2, 3)) if good else 0):
