@@ -668,6 +668,29 @@ static void test_corners(void **state)
     }
 }
 
+// A file that ends anywhere is refused, or has nothing that the whole one has not.
+static void test_cut_files(void **state)
+{
+    (void)state;
+    static const char text[] =
+        "<X3D><Scene><Group DEF='g'><PointLight DEF='l'/><Shape><Appearance><ImageTexture url='\"a.png\" "
+        "\"b.png\"'/><UnlitMaterial emissiveColor='1 0 0'/></Appearance><IndexedFaceSet coordIndex='0 1 2 "
+        "-1'>"
+        "<Coordinate DEF='c' point='0 0 0 1 0 0 0 1 0'/></IndexedFaceSet></Shape></Group><Transform "
+        "translation='1 0 0'><Group USE='g'><!-- again --></Group></Transform><Shape><ElevationGrid "
+        "xDimension='2' zDimension='2' height='0 1 0 1'/></Shape><MetadataString value='\"m\"'/><Shape>"
+        "<IndexedQuadSet index='0 1 2 &#48;'><Coordinate USE='c'/></IndexedQuadSet></Shape></Scene></X3D>";
+    for (size_t cut = 0; cut < sizeof text; cut += 3) {
+        write_bytes("t.x3d", text, sizeof text - 1 - cut);
+        char error[512] = "";
+        struct scene_model *const model = scene_model_load(path_of("t.x3d"), NULL, error, sizeof error);
+        assert_true(model != NULL || error[0] != 0);
+        assert_true(model == NULL || model->triangles_drawn <= 6);
+        assert_true(cut > 0 || model->triangles_drawn == 6);
+        scene_model_free(model);
+    }
+}
+
 // Heights of a grid may have as many digits as they like.
 static void test_long_heights(void **state)
 {
@@ -761,6 +784,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_quads_of_the_same_points),
     cmocka_unit_test(test_few_of_many_points),
     cmocka_unit_test(test_corners),
+    cmocka_unit_test(test_cut_files),
     cmocka_unit_test(test_long_heights),
     cmocka_unit_test(test_lacking_colors),
     cmocka_unit_test(test_points_of_faces),
