@@ -2,7 +2,7 @@
 // See plan.h.
 #include "plan.h"
 
-enum { WORTH_A_STEP = 60 };
+enum { WORTH_A_STEP = 60, WORTH_A_CALL = 40 };
 
 static bool is_uniform(const struct shader_plan *plan, uint32_t value)
 {
@@ -190,6 +190,19 @@ static uint32_t cycles_of(enum shader_op op)
     }
 }
 
+// Return true for a function that one call computes for all groups: its constants stay in registers meanwhile.
+static bool is_function_of_groups(const struct shader_plan *plan, uint32_t place)
+{
+    const struct shader_node *const node = &plan->form->nodes[plan->form->code[place]];
+    const enum shader_op op = (enum shader_op)node->op;
+    if (op != SHADER_EXP && op != SHADER_LOG && op != SHADER_EXP2 && op != SHADER_LOG2) {
+        return false;
+    }
+    const enum shader_op from = (enum shader_op)plan->form->nodes[node->operands[0]].op;
+    return plan->place[node->operands[0]] != SHADER_NONE && shader_op_kind_of(from) == SHADER_KIND_VALUE &&
+           from != SHADER_PART && !is_uniform(plan, node->operands[0]);
+}
+
 // Return true where steps may stand in structure: all lanes of a call go through it round by round, or lanes part in an
 // IF of a round.
 static bool goes_together(const struct shader_plan *plan, uint32_t place)
@@ -228,8 +241,11 @@ static bool find_steps(struct shader_memory *memory, struct shader_plan *plan)
             start = is_near && ready[operands[o]] > start ? ready[operands[o]] : start;
         }
         const bool may_stand = depth == 0 || (apart == 0 && loop > 0);
-        if (may_stand && is_mathematics(op) && !is_uniform(plan, form->code[i]) && start >= WORTH_A_STEP) {
+        const bool is_for_groups = is_function_of_groups(plan, i);
+        if (may_stand && is_mathematics(op) && !is_uniform(plan, form->code[i]) &&
+            start >= (is_for_groups ? WORTH_A_CALL : WORTH_A_STEP)) {
             plan->is_step[i] = plan->has_cuts = true;
+            plan->is_for_groups[i] = is_for_groups;
             has_inner = has_inner || depth > 0;
             first = i;
             start = 0;
@@ -282,6 +298,7 @@ static uint32_t number_runs(struct shader_plan *plan, uint32_t begin, uint32_t e
             i = plan->structures[i].end;
         } else {
             plan->run[i] = run;
+            run += plan->is_for_groups[i] ? 1 : 0;
         }
     }
     return run;
@@ -408,6 +425,7 @@ void shader_make_plan(struct shader_memory *memory, const struct shader_program 
                                  .block = shader_take(memory, places, sizeof(uint32_t)),
                                  .run = shader_take(memory, places, sizeof(uint32_t)),
                                  .is_step = shader_take(memory, places, sizeof(bool)),
+                                 .is_for_groups = shader_take(memory, places, sizeof(bool)),
                                  .uses = shader_take(memory, nodes, sizeof(uint32_t)),
                                  .last_use = shader_take(memory, nodes, sizeof(uint32_t)),
                                  .is_hoisted = shader_take(memory, nodes, sizeof(bool)),

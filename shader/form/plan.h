@@ -31,8 +31,9 @@ struct shader_plan {
     struct shader_structure *structures; // by place
     uint32_t *place;                     // by value: where it stands in the code, or SHADER_NONE
     uint32_t *block;                     // by place: number of the block around it
-    uint32_t *run;             // by place: number of the run, or SHADER_NONE at cuts and wide structure
-    bool *is_step;             // by place: a run begins here, for speed
+    uint32_t *run;       // by place: number of the run, or SHADER_NONE at cuts and wide structure
+    bool *is_step;       // by place: a run begins here, for speed
+    bool *is_for_groups; // by place: a step that is one function of a kept value, for all groups in one call
     uint32_t *uses, *last_use; // by value: how often it is read, and a place where it is read
     bool *is_hoisted;          // by value: it is computed once a call
     bool *is_joint;       // by value: all groups share it, and it is computed or set once where it stands

@@ -99,7 +99,8 @@ static void close_run(struct shader_walk *walk)
     }
 }
 
-// Walk a barrier, an atomic that all groups come to before any goes on, or wide structure. Return the place behind it.
+// Walk a barrier, an atomic that all groups come to before any goes on, a function for all groups, or wide structure.
+// Return the place behind it.
 static uint32_t walk_wide_item(struct shader_walk *walk, uint32_t place)
 {
     const enum shader_op op = shader_op_at(walk->plan, place);
@@ -108,6 +109,10 @@ static uint32_t walk_wide_item(struct shader_walk *walk, uint32_t place)
     }
     close_run(walk);
     settle(walk);
+    if (walk->plan->is_for_groups[place]) {
+        walk->for_groups(walk->user, place);
+        return place + 1;
+    }
     if (op == SHADER_BARRIER) {
         if (walk->barrier) {
             walk->barrier(walk->user);
@@ -132,7 +137,7 @@ void shader_walk_wide(struct shader_walk *walk, uint32_t begin, uint32_t end)
 {
     uint32_t i = begin;
     while (i < end && !*walk->is_dead) {
-        if (shader_is_cut(walk->plan, i) || shader_is_wide(walk->plan, i)) {
+        if (shader_is_cut(walk->plan, i) || walk->plan->is_for_groups[i] || shader_is_wide(walk->plan, i)) {
             i = walk_wide_item(walk, i);
         } else if (is_written_before(walk, i)) {
             i++;

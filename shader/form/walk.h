@@ -28,6 +28,8 @@ struct shader_walk {
     // structure at a place is known, before the run that computes it is closed.
     void (*settle)(void *user);
     void (*decide)(void *user, uint32_t place);
+    // A function for all groups.
+    void (*for_groups)(void *user, uint32_t place);
     // Where no lane is active, go to the end of the structure at a place; SHADER_NONE: to that of the group.
     void (*skip)(void *user, uint32_t structure);
     bool is_run_open, is_unsettled; // nodes were written between runs and are not settled

@@ -31,6 +31,22 @@ typedef rhw_int vector_i;
 #undef ONE
 #undef TWO
 
+// A function of a value in the records of groups, whose result goes there too.
+#define OF_GROUPS(name, function)                                                                   \
+    static void call_##name##_OF_GROUPS(unsigned char *const *records, uint64_t count, uint64_t to, \
+                                        uint64_t from)                                              \
+    {                                                                                               \
+        for (uint64_t i = 0; i < count; i++) {                                                      \
+            *(rhw_float *)(void *)(records[i] + to) =                                               \
+                function(*(const rhw_float *)(void *)(records[i] + from));                          \
+        }                                                                                           \
+    }
+OF_GROUPS(EXP, rhw_exp)
+OF_GROUPS(LOG, rhw_log)
+OF_GROUPS(EXP2, rhw_exp2)
+OF_GROUPS(LOG2, rhw_log2)
+#undef OF_GROUPS
+
 static rhw_float call_SINE_FIRST(rhw_float *cosine, rhw_float a)
 {
     rhw_float sine;
@@ -437,6 +453,10 @@ static shader_call_function *const functions[SHADER_CALLS] = {
     MORE(SHARE),
     MORE(OWN_STORE),
     MORE(GIVEN_UP),
+    MORE(EXP_OF_GROUPS),
+    MORE(LOG_OF_GROUPS),
+    MORE(EXP2_OF_GROUPS),
+    MORE(LOG2_OF_GROUPS),
 };
 #undef ENTRY
 #undef MORE

@@ -68,7 +68,7 @@ struct shader_groups {
     uint32_t again; // the label that it goes back to
     bool is_plain;  // it makes no call, so that integer registers stay
     bool is_bare;   // it needs the record of a group alone
-    bool lists;     // it writes a list
+    uint32_t lists; // the list that it writes, or 0
 };
 
 // Where the library has what a stage works on, in a group.
@@ -300,14 +300,19 @@ void shader_generate_code(struct shader_generator *g);
 // Begin and end a loop over the groups that go through the code together, or over those of the list that was entered.
 void shader_open_groups(struct shader_generator *g, const struct shader_groups *groups);
 void shader_close_groups(struct shader_generator *g);
-// In a loop that writes a list: put the group there if it has a lane in a mask, which is in a register. Nobody can tell
-// before which groups have one, so there is no jump.
+// Return the list of an IF that begins here: an offset in the frame, where the number of entries stands before them.
+uint32_t shader_next_list(struct shader_generator *g);
+uint32_t shader_list_of_all(struct shader_generator *g);
+// In a loop that writes a list: put the group there if it has a lane in a mask, which is in a register, or in any case
+// if that is −1. Nobody can tell before which groups have one, so there is no jump.
 void shader_list_group(struct shader_generator *g, int mask);
 // Set the flag of zero where the list that was written has no group.
 void shader_test_list(struct shader_generator *g);
 // What follows goes through the groups of the list that was written, until that is left.
 void shader_enter_list(struct shader_generator *g);
 void shader_leave_list(struct shader_generator *g);
+// Compute one function for all groups.
+void shader_call_for_groups(struct shader_generator *g, uint32_t value);
 // Let registers point to the first group.
 void shader_put_first_group(struct shader_generator *g);
 

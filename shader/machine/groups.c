@@ -24,38 +24,49 @@ static void put_pointer(struct shader_generator *g, int reg, struct x86_operand 
 
 // Lists ----------------------------------------------------------------------------------------------
 
-// Return the list of an IF that begins here: an offset in the frame, where the number of entries stands before them.
-static uint32_t next_list(struct shader_generator *g)
+static uint32_t list_at(struct shader_generator *g, uint32_t depth)
 {
-    uint32_t *const list = &g->lists[g->list_depth + 1];
-    if (*list == 0) {
-        *list = shader_take_frame(g, (uint32_t)sizeof(uint64_t) + g->stage->batch * ENTRY);
+    if (g->lists[depth] == 0) {
+        g->lists[depth] = shader_take_frame(g, (uint32_t)sizeof(uint64_t) + g->stage->batch * ENTRY);
     }
-    return *list;
+    return g->lists[depth];
+}
+
+uint32_t shader_next_list(struct shader_generator *g)
+{
+    return list_at(g, g->list_depth + 1);
+}
+
+uint32_t shader_list_of_all(struct shader_generator *g)
+{
+    return list_at(g, 0);
 }
 
 void shader_list_group(struct shader_generator *g, int mask)
 {
-    const uint32_t list = next_list(g);
-    shader_put(g, X86_VMOVMSKPS, X86_RAX, 0, x86_reg(mask));
+    const struct x86_operand count = count_of(g->groups.lists);
     if (!g->groups.is_plain) {
-        shader_put(g, X86_MOV, X86_R10, 0, count_of(list));
+        shader_put(g, X86_MOV, X86_R10, 0, count);
     }
     shader_put(g, X86_MOV_STORE | X86_WIDE, X86_R15, 0,
-               x86_at_index(X86_RSP, X86_R10, ENTRY_SHIFT, entries_of(list)));
+               x86_at_index(X86_RSP, X86_R10, ENTRY_SHIFT, entries_of(g->groups.lists)));
+    shader_encode_number(&g->code, X86_RAX, 1);
+    if (mask >= 0) {
+        shader_put(g, X86_VMOVMSKPS, X86_RAX, 0, x86_reg(mask));
+    }
     // 1 more, minus the carry of a comparison with no lane
     shader_encode(&g->code, X86_CMP_I, 0, 0, x86_reg(X86_RAX), 1);
-    shader_encode(&g->code, X86_SBB_I, 0, 0, g->groups.is_plain ? x86_reg(X86_R10) : count_of(list), -1);
+    shader_encode(&g->code, X86_SBB_I, 0, 0, g->groups.is_plain ? x86_reg(X86_R10) : count, -1);
 }
 
 void shader_test_list(struct shader_generator *g)
 {
-    shader_encode(&g->code, X86_CMP_I, 0, 0, count_of(next_list(g)), 0);
+    shader_encode(&g->code, X86_CMP_I, 0, 0, count_of(shader_next_list(g)), 0);
 }
 
 void shader_enter_list(struct shader_generator *g)
 {
-    g->list = next_list(g);
+    g->list = shader_next_list(g);
     g->list_depth++;
 }
 
@@ -74,6 +85,23 @@ void shader_put_first_group(struct shader_generator *g)
         put_pointer(g, X86_R15, SHADER_FRAME(together.records));
         put_pointer(g, X86_RBX, SHADER_FRAME(together.groups));
     }
+}
+
+void shader_call_for_groups(struct shader_generator *g, uint32_t value)
+{
+    const struct shader_node *const node = &g->form->nodes[value];
+    const uint32_t list = g->list > 0 ? g->list : shader_list_of_all(g);
+    const unsigned which = node->op == SHADER_EXP    ? SHADER_CALL_EXP_OF_GROUPS
+                           : node->op == SHADER_LOG  ? SHADER_CALL_LOG_OF_GROUPS
+                           : node->op == SHADER_EXP2 ? SHADER_CALL_EXP2_OF_GROUPS
+                                                     : SHADER_CALL_LOG2_OF_GROUPS;
+    const struct shader_argument count = {SHADER_BY_WORD, 0, count_of(list)};
+    (void)shader_home_of(g, value);
+    shader_invoke_plain(
+        g, which, 4,
+        (struct shader_argument[]){shader_address_argument(x86_at(X86_RSP, entries_of(list))), count,
+                                   shader_number_argument(g->values[value].offset),
+                                   shader_number_argument(g->values[node->operands[0]].offset)});
 }
 
 // Loops ----------------------------------------------------------------------------------------------
@@ -151,10 +179,10 @@ void shader_open_groups(struct shader_generator *g, const struct shader_groups *
 {
     g->groups = *groups;
     g->groups.again = shader_label_new(&g->code);
-    if (groups->lists && groups->is_plain) {
+    if (groups->lists > 0 && groups->is_plain) {
         shader_encode_number(&g->code, X86_R10, 0);
-    } else if (groups->lists) {
-        shader_encode(&g->code, X86_MOV_I, 0, 0, count_of(next_list(g)), 0);
+    } else if (groups->lists > 0) {
+        shader_encode(&g->code, X86_MOV_I, 0, 0, count_of(groups->lists), 0);
     }
     if (g->list > 0) {
         open_listed(g);
@@ -175,7 +203,7 @@ void shader_close_groups(struct shader_generator *g)
         close_all(g);
     }
     shader_encode_jump_if(&g->code, X86_NOT_EQUAL, g->groups.again);
-    if (g->groups.lists && g->groups.is_plain) {
-        shader_put(g, X86_MOV_STORE, X86_R10, 0, count_of(next_list(g)));
+    if (g->groups.lists > 0 && g->groups.is_plain) {
+        shader_put(g, X86_MOV_STORE, X86_R10, 0, count_of(g->groups.lists));
     }
 }

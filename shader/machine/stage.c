@@ -4,7 +4,7 @@
 #include "code_memory.h"
 #include "generator.h"
 
-enum { SAVED = 5, WORD = 8, MAX_STACK = 160 << 10, NEAR = 16 << 10, FEWEST = 4 };
+enum { SAVED = 5, WORD = 8, MAX_STACK = 160 << 10, NEAR = 20 << 10, FEWEST = 4 };
 
 static const int saved[SAVED] = {X86_RBX, X86_R12, X86_R13, X86_R14, X86_R15};
 
@@ -83,6 +83,16 @@ static void begin_home(struct shader_generator *g, uint32_t home)
     shader_put(g, X86_VMOVUPS_STORE, 0, 0, shader_home_of(g, home));
 }
 
+static bool has_functions_of_groups(const struct shader_generator *g)
+{
+    for (uint32_t i = 0; i < g->form->code_count; i++) {
+        if (g->plan.is_for_groups[i]) {
+            return true;
+        }
+    }
+    return false;
+}
+
 // Begin what goes from run to run: masks, homes that are kept or joint, memory of the lanes.
 static void begin_records(struct shader_generator *g)
 {
@@ -96,7 +106,11 @@ static void begin_records(struct shader_generator *g)
             begin_home(g, value);
         }
     }
-    shader_open_groups(g, &(struct shader_groups){.is_plain = true});
+    const uint32_t list = has_functions_of_groups(g) ? shader_list_of_all(g) : 0;
+    shader_open_groups(g, &(struct shader_groups){.is_plain = true, .lists = list});
+    if (list > 0) {
+        shader_list_group(g, -1);
+    }
     store_pointer(g, X86_RBX, x86_at(X86_R15, (int32_t)g->group_pointer));
     shader_put(g, X86_VMOVUPS, 0, 0, x86_at(X86_RBX, layouts[g->kind].mask));
     shader_put(g, X86_VMOVUPS_STORE, 0, 0, shader_home_of(g, g->mask));
@@ -183,7 +197,8 @@ static uint32_t batch_of(const struct shader_generator *g)
     if ((g->plan.has_cuts && !g->plan.has_steps_alone) || g->record_size * most <= NEAR) {
         return most;
     }
-    const uint32_t near = NEAR / g->record_size, few = most < FEWEST ? most : FEWEST;
+    const uint32_t parts = (g->record_size * most + NEAR - 1) / NEAR, near = (most + parts - 1) / parts,
+                   few = most < FEWEST ? most : FEWEST;
     return near < few ? few : near;
 }
 

@@ -25,7 +25,7 @@ static bool is_alike(const struct shader_generator *g, uint32_t value)
 }
 
 // Find what the loop over groups of a run has to provide. Return the place behind the run.
-static uint32_t ask_run(const struct shader_generator *g, uint32_t place, struct shader_groups *groups)
+static uint32_t ask_run(struct shader_generator *g, uint32_t place, struct shader_groups *groups)
 {
     uint32_t i = place;
     groups->is_plain = groups->is_bare = g->plan.has_cuts;
@@ -41,7 +41,7 @@ static uint32_t ask_run(const struct shader_generator *g, uint32_t place, struct
         }
     }
     groups->is_bare = groups->is_bare && groups->is_plain;
-    groups->lists = shader_is_decided(&g->plan, i);
+    groups->lists = shader_is_decided(&g->plan, i) ? shader_next_list(g) : 0;
     return i;
 }
 
@@ -132,6 +132,15 @@ static void close_run(void *user)
     shader_close_groups(g);
 }
 
+static void call_for_groups(void *user, uint32_t place)
+{
+    struct shader_generator *const g = user;
+    g->place = place;
+    shader_encode_mark(&g->code, g->form->code[place]);
+    shader_call_for_groups(g, g->form->code[place]);
+    shader_end_place(g);
+}
+
 static void settle(void *user)
 {
     struct shader_generator *const g = user;
@@ -156,7 +165,8 @@ static void decide(void *user, uint32_t place)
 static uint32_t and_in_all(struct shader_generator *g, uint32_t a, uint32_t b, bool is_not, bool lists)
 {
     const uint32_t result = new_kept(g);
-    shader_open_groups(g, &(struct shader_groups){.is_plain = true, .lists = lists});
+    shader_open_groups(g,
+                       &(struct shader_groups){.is_plain = true, .lists = lists ? shader_next_list(g) : 0});
     shader_put(g, X86_VMOVUPS, 0, 0, shader_home_of(g, is_not ? b : a));
     shader_put(g, is_not ? X86_VANDNPS : X86_VANDPS, 0, 0, shader_home_of(g, is_not ? a : b));
     shader_put(g, X86_VMOVUPS_STORE, 0, 0, shader_home_of(g, result));
@@ -353,6 +363,7 @@ void shader_generate_code(struct shader_generator *g)
                                    .close_run = close_run,
                                    .settle = settle,
                                    .decide = decide,
+                                   .for_groups = call_for_groups,
                                    .skip = shader_skip_rest};
     shader_walk_wide(&g->walk, 0, g->form->code_count);
 }

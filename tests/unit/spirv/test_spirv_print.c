@@ -188,7 +188,7 @@ static void test_machine_code_stands_beside_its_source(void **state)
     expect_code(twice, parts, sizeof parts / sizeof *parts);
 }
 
-// The sine would wait for two functions, so all groups go through those first.
+// The second function would wait for the first, so all groups go through that before one call computes it for all.
 static void test_a_chain_of_functions_is_taken_in_steps(void **state)
 {
     (void)state;
@@ -198,9 +198,30 @@ static void test_a_chain_of_functions_is_taken_in_steps(void **state)
                                 "    float x = b[gl_LocalInvocationIndex];\n"
                                 "    b[gl_LocalInvocationIndex] = sin(exp(log(x))) + x;\n"
                                 "}\n";
-    static const char *const parts[] = {" = log v", " = exp v",     "  jne L",
+    static const char *const parts[] = {" = log v", "  jne L",      " = exp v", "call qword",
                                         " = sin v", "  vaddps ymm", "  jne L"};
     expect_code(chain, parts, sizeof parts / sizeof *parts);
+}
+
+// The counter is compared once a round, between the loops over groups, which stand in the loop of the text.
+static void test_a_loop_that_all_leave_together_has_steps(void **state)
+{
+    (void)state;
+    static const char loop[] = "layout(local_size_x = 64) in;\n"
+                               "layout(binding = 0) buffer B { float b[]; };\n"
+                               "layout(binding = 1) uniform U { int rounds; };\n"
+                               "void main() {\n"
+                               "    float x = b[gl_LocalInvocationIndex];\n"
+                               "    for (int i = 0; i < rounds; i++) {\n"
+                               "        if (x > 0.5) { x = exp2(x * log2(x)); }\n"
+                               "    }\n"
+                               "    b[gl_LocalInvocationIndex] = x;\n"
+                               "}\n";
+    static const char *const parts[] = {" = iless h",      "  je L",   " = fless ", "  vmovmskps e",
+                                        "  jne L",         " = log2 ", " = exp2 v", "call qword",
+                                        "  vblendvps ymm", "  jne L",  " = iadd h", "  jmp L",
+                                        "  vzeroupper\n"};
+    expect_code(loop, parts, sizeof parts / sizeof *parts);
 }
 
 static void test_nothing_is_printed_of_what_is_refused(void **state)
@@ -225,6 +246,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_what_lanes_do_together_has_names),
     cmocka_unit_test(test_machine_code_stands_beside_its_source),
     cmocka_unit_test(test_a_chain_of_functions_is_taken_in_steps),
+    cmocka_unit_test(test_a_loop_that_all_leave_together_has_steps),
     cmocka_unit_test(test_nothing_is_printed_of_what_is_refused),
 };
 
