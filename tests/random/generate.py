@@ -243,9 +243,11 @@ class Program:
         switches, self.switches = self.switches, 0
         is_shared = is_uniform and self.is_uniform and not self.in_function
         self.counters += [name] if is_shared else []
-        if form == 0:
+        if form == 0 and is_shared:
+            self.write_rounds(name, count)
+        elif form == 0:
             self.line(f'for (int {name} = 0; {name} < ({count}); {name}++) {{')
-            self.block(self.random.randrange(1, 4), is_shared)
+            self.block(self.random.randrange(1, 4), False)
             self.line('}')
         else:
             self.line(f'int {name} = 0;')
@@ -260,6 +262,24 @@ class Program:
         self.loops -= 1
         self.scopes[-2] += [(kind, n) for kind, n in self.scopes[-1] if form > 0]
         self.scopes.pop()
+
+    def write_rounds(self, name, count):
+        """A loop that carries a number which all invocations share, and changes it among what they do not share."""
+        carried = self.new_name('int', is_fixed=True)
+        self.line(f'int {carried} = push.count;')
+        self.line(f'for (int {name} = 0; {name} < ({count}); {name}++) {{')
+        self.block(self.random.randrange(1, 3), True)
+        self.depth += 1
+        wheres = self.variables('float', assigned=True)
+        where = self.random.choice(wheres) if wheres else None
+        if where:
+            self.line(f'{where} += float({carried});')
+        self.line(f'{carried} = {carried} * 3 + {name};')
+        if where:
+            self.line(f'{where} -= 0.5 * float({carried});')
+        self.depth -= 1
+        self.block(self.random.randrange(1, 3), True)
+        self.line('}')
 
     def write_chain(self):
         """A value that waits for one function after the other."""
