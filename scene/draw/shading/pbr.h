@@ -30,6 +30,14 @@ static inline rhw_float scene_pow5(rhw_float a)
     return square * square * a;
 }
 
+/// Return the bits of rhw_exp2 for −126 ≤ a ≤ 127, and NaN for NaN. The argument is not held to bounds, and the power
+/// of a whole number is one factor instead of two.
+static inline rhw_float scene_exp2(rhw_float a)
+{
+    const rhw_float n = rhw_round(a);
+    return rhw_exp2_fraction(a - n) * rhw_power_of_two(rhw_int_from_float_unchecked(n));
+}
+
 /// Return Smith's masking for one direction, without its numerator 2 n·l: n·l + sqrt(α² + (1 − α²)(n·l)²).
 static inline rhw_float scene_smith(rhw_float cosine, rhw_float alpha2)
 {
@@ -107,37 +115,62 @@ static inline void scene_environment_lanes_set(struct scene_environment_lanes *s
     s->sharpness_log2 = rhw_splat(e->sharpness * 1.44269504f);
 }
 
-/// Find the radiance that the surroundings send along −direction after a blur by roughness squared `alpha`. The normal
-/// distribution is close to a Gaussian of sharpness 2 / α², and its reflection is close to one of a fourth of that
-/// sharpness. Gaussians convolve into Gaussians: with k = 1 / (1 + 2 λ α²) sharpness and amplitude shrink by k.
-static inline void scene_environment_reflection(const struct scene_environment_lanes *s,
-                                                const struct rhw_bindings *bindings,
-                                                const rhw_float direction[3], rhw_float alpha,
-                                                rhw_float radiance[3])
+/// Find the radiance that sky and ground send along −direction after a blur by roughness squared `alpha`.
+static inline void scene_environment_sky(const struct scene_environment_lanes *s,
+                                         const rhw_float direction[3], rhw_float alpha, rhw_float radiance[3])
 {
-    if (s->of->mapped) {
-        rhw_float texel[4];
-        rhw_sample_lod(bindings, SCENE_SLOT_ENVIRONMENT, direction, rhw_sqrt(alpha) * s->of->levels, texel);
-        for (int c = 0; c < 3; c++) {
-            radiance[c] = texel[c] * s->of->strength;
-        }
-        return;
-    }
     const rhw_float alpha2 = alpha * alpha;
     const rhw_float height = rhw_dot3(direction, s->up);
     const rhw_float above = 0.5f + 0.5f * height * rhw_rsqrt(height * height + (0.03f + 1.2f * alpha2));
     for (int c = 0; c < 3; c++) {
         radiance[c] = s->ground[c] + s->rise[c] * above;
     }
-    const rhw_float k = 1.0f / (1.0f + s->twice_sharpness * alpha2);
+}
+
+/// Add the radiance of the soft boxes. The normal distribution is close to a Gaussian of sharpness 2 / α², and its
+/// reflection is close to one of a fourth of that sharpness. Gaussians convolve into Gaussians: with k = 1 / (1 + 2 λ
+/// α²) sharpness and amplitude shrink by k. Directions are about as long as 1, so exponents stay within ±80. For a
+/// direction that is not finite the sky's radiance is NaN already.
+static inline void scene_environment_lobes(const struct scene_environment_lanes *s,
+                                           const rhw_float direction[3], rhw_float alpha,
+                                           rhw_float radiance[3])
+{
+    const rhw_float k = 1.0f / (1.0f + s->twice_sharpness * (alpha * alpha));
     const rhw_float exponent = k * s->sharpness_log2;
     for (int i = 0; i < SCENE_LOBES; i++) {
         const rhw_float cosine = rhw_dot3(direction, s->lobe_direction[i]);
-        const rhw_float value = k * rhw_exp2(exponent * (cosine - 1.0f));
+        const rhw_float value = k * scene_exp2(exponent * (cosine - 1.0f));
         for (int c = 0; c < 3; c++) {
             radiance[c] += s->lobe_color[i][c] * value;
         }
     }
+}
+
+/// Find the radiance that the panorama sends along −direction after a blur by roughness squared `alpha`.
+static inline void scene_environment_panorama(const struct scene_environment_lanes *s,
+                                              const struct rhw_bindings *bindings,
+                                              const rhw_float direction[3], rhw_float alpha,
+                                              rhw_float radiance[3])
+{
+    rhw_float texel[4];
+    rhw_sample_lod(bindings, SCENE_SLOT_ENVIRONMENT, direction, rhw_sqrt(alpha) * s->of->levels, texel);
+    for (int c = 0; c < 3; c++) {
+        radiance[c] = texel[c] * s->of->strength;
+    }
+}
+
+/// Find the radiance that the surroundings send along −direction after a blur by roughness squared `alpha`.
+static inline void scene_environment_reflection(const struct scene_environment_lanes *s,
+                                                const struct rhw_bindings *bindings,
+                                                const rhw_float direction[3], rhw_float alpha,
+                                                rhw_float radiance[3])
+{
+    if (s->of->mapped) {
+        scene_environment_panorama(s, bindings, direction, alpha, radiance);
+        return;
+    }
+    scene_environment_sky(s, direction, alpha, radiance);
+    scene_environment_lobes(s, direction, alpha, radiance);
 }
 
 /// Find irradiance / π of a panorama, from spherical harmonics of order 2 (R. Ramamoorthi, P. Hanrahan, "An efficient
@@ -192,7 +225,7 @@ static inline void scene_environment_brdf(rhw_float roughness, rhw_float n_dot_v
     const rhw_float r1 = 0.0425f - 0.0275f * roughness;
     const rhw_float r2 = 1.04f - 0.572f * roughness;
     const rhw_float r3 = 0.022f * roughness - 0.04f;
-    const rhw_float a = rhw_min(r0 * r0, rhw_exp2(-9.28f * n_dot_v)) * r0 + r1;
+    const rhw_float a = rhw_min(r0 * r0, scene_exp2(-9.28f * n_dot_v)) * r0 + r1;
     *scale = r2 - 1.04f * a;
     *bias = 1.04f * a + r3;
 }
@@ -206,20 +239,21 @@ static inline rhw_float scene_specular_occlusion(rhw_float occlusion, rhw_float 
     return rhw_saturate(sum * sum - 1.0f + occlusion);
 }
 
-/// Add what the surroundings send to the eye, dimmed by `occlusion`. Light that bounces between the facets of a rough
-/// surface is given back (Turquin 2019), since rough metals would come out too dark.
-static inline void scene_reflect_environment(const struct scene_reflector *r,
-                                             const struct scene_environment_lanes *s,
-                                             const struct rhw_bindings *bindings, rhw_float roughness,
-                                             rhw_float occlusion, rhw_float sum[3])
+/// Find the direction that a surface mirrors to the eye.
+static inline void scene_reflector_mirror(const struct scene_reflector *r, rhw_float direction[3])
 {
-    rhw_float mirrored[3], diffuse[3], incident[3], direction[3], scale, bias;
-    for (int c = 0; c < 3; c++) {
-        incident[c] = -r->view[c];
-    }
+    const rhw_float incident[3] = {-r->view[0], -r->view[1], -r->view[2]};
     rhw_reflect3(incident, r->normal, direction);
-    scene_environment_reflection(s, bindings, direction, r->alpha, mirrored);
-    scene_environment_diffuse(s, r->normal, diffuse);
+}
+
+/// Add what the surroundings send to the eye, dimmed by `occlusion`: `mirrored` arrives along the mirror's direction,
+/// and `diffuse` from all around. Light that bounces between the facets of a rough surface is given back (Turquin
+/// 2019), since rough metals would come out too dark.
+static inline void scene_reflect_surroundings(const struct scene_reflector *r, rhw_float roughness,
+                                              rhw_float occlusion, const rhw_float mirrored[3],
+                                              const rhw_float diffuse[3], rhw_float sum[3])
+{
+    rhw_float scale, bias;
     scene_environment_brdf(roughness, r->n_dot_v, &scale, &bias);
     const rhw_float lost = 1.0f / (scale + bias) - 1.0f;
     const rhw_float mirrors = scene_specular_occlusion(occlusion, r->n_dot_v);

@@ -3,6 +3,7 @@
 // lit variants. Its constant arguments drop what a variant does not need.
 #include "fragment.h"
 #include "guide_normal.h"
+#include "lit_group.h"
 
 // Vertices ------------------------------------------------------------------------------------------
 
@@ -170,61 +171,6 @@ static void point_vertex(struct rhw_vertex *groups, int count)
 
 // Fragments -----------------------------------------------------------------------------------------
 
-// Shade a lit surface. `texels` has the texels of shared slots.
-ALWAYS_INLINE void shade_lit(struct rhw_fragment *f, const struct scene_surface *s,
-                             const struct scene_environment_lanes *around, bool textured, bool mapped,
-                             slot_texels texels)
-{
-    rhw_float base[4];
-    base_color(f, s, textured, texels, base);
-    if (!rhw_any(f->mask)) {
-        return;
-    }
-    const struct scene_frame *frame = s->frame;
-    rhw_float metallic = rhw_splat(s->metallic), roughness = rhw_splat(s->roughness);
-    rhw_float occlusion = rhw_splat(1.0f);
-    rhw_float emissive[3] = {rhw_splat(s->emissive[0]), rhw_splat(s->emissive[1]), rhw_splat(s->emissive[2])};
-    if (textured) {
-        if (s->slot_varying[SCENE_SLOT_METALLIC_ROUGHNESS] >= 0) {
-            const rhw_float *texel = slot_texel(f, s, SCENE_SLOT_METALLIC_ROUGHNESS, texels);
-            roughness = roughness * texel[1];
-            metallic = metallic * texel[2];
-        }
-        if (s->slot_varying[SCENE_SLOT_OCCLUSION] >= 0) {
-            const rhw_float *texel = s->occlusion_shared ? texels[SCENE_SLOT_METALLIC_ROUGHNESS]
-                                                         : slot_texel(f, s, SCENE_SLOT_OCCLUSION, texels);
-            occlusion = 1.0f + s->occlusion_strength * (texel[0] - 1.0f);
-        }
-        if (s->slot_varying[SCENE_SLOT_EMISSIVE] >= 0) {
-            const rhw_float *texel = slot_texel(f, s, SCENE_SLOT_EMISSIVE, texels);
-            for (int c = 0; c < 3; c++) {
-                emissive[c] = emissive[c] * texel[c];
-            }
-        }
-    }
-    struct scene_reflector reflector;
-    const rhw_float *position = &f->varying[s->varying_position];
-    view_direction(frame, position, reflector.view);
-    seen_normal(f, s, mapped, texels, reflector.view, reflector.normal);
-    scene_reflector_set(&reflector, base, metallic, roughness);
-    if (frame->guide.occlusion) {
-        occlusion = rhw_min(occlusion, ambient_open(f, frame, position));
-    }
-
-    rhw_float sum[3] = {emissive[0], emissive[1], emissive[2]};
-    scene_reflect_environment(&reflector, around, f->bindings, roughness, occlusion, sum);
-    for (int i = 0; i < frame->light_count; i++) {
-        rhw_float to_light[3], irradiance[3];
-        scene_light_at(&frame->lights[i], position, to_light, irradiance);
-        if (frame->lights[i].map_count > 0) {
-            shadow_irradiance(f, s, &frame->lights[i], rhw_less(0.0f, rhw_dot3(reflector.normal, to_light)),
-                              irradiance);
-        }
-        scene_reflect_light(&reflector, to_light, irradiance, frame->lights[i].size, sum);
-    }
-    write_light(f, s, sum, base[3]);
-}
-
 // Write how much of the light that a white ground would have is missing. It fades out with the vertex colour's alpha.
 ALWAYS_INLINE void shade_ground(struct rhw_fragment *f, const struct scene_surface *s,
                                 const struct scene_environment_lanes *around)
@@ -240,8 +186,12 @@ ALWAYS_INLINE void shade_ground(struct rhw_fragment *f, const struct scene_surfa
     scene_reflector_set(&reflector, white, zero, white[0]);
     rhw_float lit[3] = {zero, zero, zero}, open[3] = {zero, zero, zero};
     const rhw_float occlusion = frame->guide.occlusion ? ambient_open(f, frame, position) : white[0];
-    scene_reflect_environment(&reflector, around, f->bindings, white[0], occlusion, lit);
-    scene_reflect_environment(&reflector, around, f->bindings, white[0], white[0], open);
+    rhw_float direction[3], mirrored[3], diffuse[3];
+    scene_reflector_mirror(&reflector, direction);
+    scene_environment_reflection(around, f->bindings, direction, reflector.alpha, mirrored);
+    scene_environment_diffuse(around, reflector.normal, diffuse);
+    scene_reflect_surroundings(&reflector, white[0], occlusion, mirrored, diffuse, lit);
+    scene_reflect_surroundings(&reflector, white[0], white[0], mirrored, diffuse, open);
     for (int i = 0; i < frame->light_count; i++) {
         rhw_float to_light[3], irradiance[3];
         scene_light_at(&frame->lights[i], position, to_light, irradiance);
@@ -274,41 +224,17 @@ static void ground_fragment(struct rhw_fragment *groups, int count)
 
 static void lit_fragment(struct rhw_fragment *groups, int count)
 {
-    const struct scene_surface *s = groups->uniforms;
-    struct scene_environment_lanes around;
-    scene_environment_lanes_set(&around, &s->frame->environment);
-    for (int g = 0; g < count; g++) {
-        slot_texels texels;
-        shade_lit(&groups[g], s, &around, false, false, texels);
-    }
-}
-
-// Sample the texels of several groups first, and light them afterwards. Both are long chains of operations that wait
-// for each other, and the shorter a chain, the sooner the next begins beside it.
-ALWAYS_INLINE void shade_textured(struct rhw_fragment *groups, int count, bool mapped)
-{
-    enum { STEP = 8 };
-    const struct scene_surface *s = groups->uniforms;
-    struct scene_environment_lanes around;
-    scene_environment_lanes_set(&around, &s->frame->environment);
-    for (; count > 0; groups += STEP, count -= STEP) {
-        const int n = count < STEP ? count : STEP;
-        slot_texels texels[STEP];
-        sample_shared(groups, n, s, texels);
-        for (int g = 0; g < n; g++) {
-            shade_lit(&groups[g], s, &around, true, mapped, texels[g]);
-        }
-    }
+    shade_lit(groups, count, false, false);
 }
 
 static void textured_fragment(struct rhw_fragment *groups, int count)
 {
-    shade_textured(groups, count, false);
+    shade_lit(groups, count, true, false);
 }
 
 static void mapped_fragment(struct rhw_fragment *groups, int count)
 {
-    shade_textured(groups, count, true);
+    shade_lit(groups, count, true, true);
 }
 
 // Write the base colour as it is. Neither light nor tone mapping changes it.

@@ -230,6 +230,17 @@ static void test_environment_irradiance(void **state)
     scene_lighting_destroy(&lighting);
 }
 
+// What the surroundings call the power of 2 has the bits of the general one.
+static void test_bounded_power_of_two(void **state)
+{
+    (void)state;
+    for (float a = -126.0f; a <= 127.0f; a += 0.0078125f + 1e-4f * a * a) {
+        const rhw_float bounded = scene_exp2(rhw_splat(a)), general = rhw_exp2(rhw_splat(a));
+        assert_memory_equal(&bounded, &general, sizeof general);
+    }
+    assert_true(isnan(scene_exp2(rhw_splat(NAN))[0]));
+}
+
 // A mirror shows the soft boxes themselves; a rough surface shows less contrast.
 static void test_environment_reflection(void **state)
 {
@@ -380,6 +391,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_tone_map_against_its_definition),
     cmocka_unit_test(test_other_tone_maps),
     cmocka_unit_test(test_environment_irradiance),
+    cmocka_unit_test(test_bounded_power_of_two),
     cmocka_unit_test(test_environment_reflection),
     cmocka_unit_test(test_exposure_follows_the_lights),
     cmocka_unit_test(test_spot_and_range),
