@@ -548,6 +548,27 @@ RHW_INLINE i32x8 i32x8_gather(const void *words, i32x8 index)
 #endif
 }
 
+// Return the 4-byte words with these numbers, from a table in the first cache level, by a load for each. A Zen 5 takes
+// 1.2 times as long for a gather, and begins little beside it.
+RHW_INLINE i32x8 i32x8_look_up(const void *words, i32x8 index)
+{
+#if defined(__AVX2__)
+    const int *const word = (const int *)words;
+    const __m128i half[2] = {_mm256_castsi256_si128((__m256i)index),
+                             _mm256_extracti128_si256((__m256i)index, 1)};
+    __m128i found[2];
+    for (int i = 0; i < 2; i++) {
+        const uint64_t a = (uint64_t)_mm_cvtsi128_si64(half[i]), b = (uint64_t)_mm_extract_epi64(half[i], 1);
+        found[i] =
+            _mm_unpacklo_epi64(_mm_insert_epi32(_mm_cvtsi32_si128(word[(uint32_t)a]), word[a >> 32], 1),
+                               _mm_insert_epi32(_mm_cvtsi32_si128(word[(uint32_t)b]), word[b >> 32], 1));
+    }
+    return (i32x8)_mm256_inserti128_si256(_mm256_castsi128_si256(found[0]), found[1], 1);
+#else
+    return i32x8_gather(words, index);
+#endif
+}
+
 // Return the 4-byte words with these numbers, and the words behind them.
 RHW_INLINE void i32x8_load_pairs(const unsigned char *words, const uint32_t at[RHW_LANES], i32x8 *first,
                                  i32x8 *second)

@@ -260,6 +260,12 @@ static void run_i32x8_gather(const void *input, void *result)
     i32x8_store(result, i32x8_gather(lanes->words, i32x8_load(lanes->at)));
 }
 
+static void run_i32x8_look_up(const void *input, void *result)
+{
+    const struct layout_input *const lanes = input;
+    i32x8_store(result, i32x8_look_up(lanes->words, i32x8_load(lanes->at)));
+}
+
 static void run_i32x8_load_pairs(const void *input, void *result)
 {
     const struct layout_input *const lanes = input;
@@ -303,6 +309,7 @@ static const struct kernel_check checks[] = {
     {"i32x8_splat_ends", sizeof(struct layout_input), 2 * WORDS, KERNEL_BITS, make_ints,
      run_i32x8_splat_ends},
     {"i32x8_gather", sizeof(struct layout_input), WORDS, KERNEL_BITS, make_table, run_i32x8_gather},
+    {"i32x8_look_up", sizeof(struct layout_input), WORDS, KERNEL_BITS, make_table, run_i32x8_look_up},
     {"i32x8_load_pairs", sizeof(struct layout_input), 2 * WORDS, KERNEL_BITS, make_table,
      run_i32x8_load_pairs},
 };

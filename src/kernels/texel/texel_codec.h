@@ -32,11 +32,10 @@ RHW_INLINE i32x8 unorm8_from_float(f32x8 value)
     return (i32x8)(rhw_saturate(value) * 255.0f + 0x1p23f);
 }
 
-// Return linear values of sRGB codes. A gather costs 12 cycles on a Zen 3; a polynomial as exact as the table costs
-// more.
+// Return linear values of sRGB codes. A polynomial as exact as the table costs more than looking it up.
 RHW_INLINE f32x8 srgb8_to_float(i32x8 code)
 {
-    return (f32x8)i32x8_gather(rhw_srgb_decode_table, code);
+    return (f32x8)i32x8_look_up(rhw_srgb_decode_table, code);
 }
 
 // Return codes of values in any range, in the lowest byte of each lane, with zero above. srgb.h explains the table.
@@ -44,7 +43,7 @@ RHW_INLINE i32x8 srgb8_from_float(f32x8 linear)
 {
     const i32x8 bits = (i32x8)rhw_clamp(linear, rhw_splat(0x1p-13f), rhw_splat(1.0f));
     const i32x8 bucket = (bits >> 16) - RHW_SRGB_ENCODE_FIRST;
-    const i32x8 entry = i32x8_gather(rhw_srgb_encode_table, bucket);
+    const i32x8 entry = i32x8_look_up(rhw_srgb_encode_table, bucket);
     return (entry + (bits & 0xffff)) >> 16;
 }
 
