@@ -265,7 +265,19 @@ RHW_INLINE void blend_format(const struct rhw_blend_state *state, const struct r
     }
 }
 
-// Blend by the usual factors, with the operations of blend_format.
+// Encode values that are no NaN. Of formats with numbers of a sign this spares two of the operations for a channel.
+RHW_INLINE void encode_numbers(const struct rhw_format_info *format, const f32x8 *value,
+                               struct raw_texels *raw)
+{
+    if (format->type == RHW_CHANNEL_SNORM && __builtin_constant_p(format->bits[0])) {
+        raw->word[0] = raw->word[1] = i32x8_splat(0);
+        encode_normalized(format, value, true, raw->word);
+    } else {
+        encode_values(format, value, raw);
+    }
+}
+
+// Blend by the usual factors, with the operations of blend_format. What a normalized format makes of it is finite.
 RHW_INLINE void blend_format_over(const struct rhw_blend_state *state, const struct rhw_format_info *format,
                                   const struct texel_rows *rows)
 {
@@ -289,7 +301,7 @@ RHW_INLINE void blend_format_over(const struct rhw_blend_state *state, const str
         for (int i = 0; i < format->channels; i++) {
             result[i] = ((i == 3 ? alpha_one : color_one) ? src[i] : src[i] * src[3]) + dst[i] * keep;
         }
-        encode_values(format, result, &raw);
+        encode_numbers(format, result, &raw);
         store_row(&all, format, &raw, texels);
     }
 }

@@ -45,15 +45,25 @@ RHW_INLINE i32x8 unorm_from_float(f32x8 value, int bits)
     return steps_of_unit(rhw_saturate(value), bits, false);
 }
 
-// Return values as numbers with a sign, by the same rules.
-RHW_INLINE i32x8 snorm_from_float(f32x8 value, int bits)
+// Return values as numbers with a sign, by the same rules. Values `never_nan` are spared the question.
+RHW_INLINE i32x8 snorm_from_float(f32x8 value, int bits, bool never_nan)
 {
-    const f32x8 v = rhw_clamp(value, rhw_splat(-1.0f), rhw_splat(1.0f));
-    return steps_of_unit((f32x8)((i32x8)v & rhw_equal(value, value)), bits - 1, true);
+    f32x8 v = rhw_clamp(value, rhw_splat(-1.0f), rhw_splat(1.0f));
+    if (!never_nan) {
+        v = (f32x8)((i32x8)v & rhw_equal(value, value));
+    }
+    return steps_of_unit(v, bits - 1, true);
+}
+
+// Return by how much ufloat_from_float says too much: the exponent of 2^−14, which stands for 0.
+RHW_INLINE int32_t ufloat_excess(int places)
+{
+    return (127 - 14) << places;
 }
 
 // Return values as floats without a sign, of 5 bits of exponent and `places` of fraction (OpenGL 4.6 §2.3.4.3), rounded
-// to nearest, ties to even. What is finite stays finite, and what is below 0 becomes 0, as what is no number does.
+// to nearest, ties to even, plus ufloat_excess. What is finite stays finite, and what is below 0 becomes 0, as what is
+// no number does.
 RHW_INLINE i32x8 ufloat_from_float(f32x8 value, int places)
 {
     const int dropped = 23 - places;
@@ -64,7 +74,7 @@ RHW_INLINE i32x8 ufloat_from_float(f32x8 value, int places)
     const i32x8 power = exponent + i32x8_splat(dropped << 23);
     const i32x8 kept =
         (i32x8)(held + (f32x8)power) - power; // with the first place, which counts up the exponent
-    return kept + (exponent >> dropped) - i32x8_splat((127 - 14) << places);
+    return kept + (exponent >> dropped);
 }
 
 // Return the code of a value that may be infinite or no number, where `code` is what ufloat_from_float says.
@@ -148,14 +158,16 @@ RHW_INLINE void decode_known_fields(const struct rhw_format_info *format, const 
 // Encode UNORM or SNORM. Numbers are added up in their places. What is added to them besides is one sum, which is taken
 // away at the end: shifted_bits, less half the range of numbers with a sign, which thus borrow nothing from the channel
 // above. That half is the highest bit of a number, which changes then.
-RHW_INLINE void encode_normalized(const struct rhw_format_info *format, const f32x8 *value, i32x8 word[4])
+RHW_INLINE void encode_normalized(const struct rhw_format_info *format, const f32x8 *value, bool never_nan,
+                                  i32x8 word[4])
 {
     uint32_t besides[2] = {0, 0}, high[2] = {0, 0};
     for (int c = 0; c < format->channels; c++) {
         const bool is_signed = format->type == RHW_CHANNEL_SNORM;
         const int w = format->first[c] / 32, first = format->first[c] % 32, bits = format->bits[c];
         const uint32_t half = is_signed ? 1u << (bits - 1) : 0;
-        const i32x8 steps = is_signed ? snorm_from_float(value[c], bits) : unorm_from_float(value[c], bits);
+        const i32x8 steps =
+            is_signed ? snorm_from_float(value[c], bits, never_nan) : unorm_from_float(value[c], bits);
         word[w] = (i32x8)((u32x8)word[w] + ((u32x8)steps << first));
         besides[w] += ((uint32_t)shifted_bits - half) << first;
         high[w] |= half << first;
@@ -165,22 +177,26 @@ RHW_INLINE void encode_normalized(const struct rhw_format_info *format, const f3
     }
 }
 
-// Encode floats without a sign.
+// Encode floats without a sign. Codes are added up in their places, and the excess of all is taken away at the end. If
+// a value is infinity or no number, the sum of all is one of these too.
 RHW_INLINE void encode_ufloats(const struct rhw_format_info *format, const f32x8 *value, i32x8 word[4])
 {
-    i32x8 ordinary = i32x8_splat(-1);
-    for (int c = 0; c < format->channels; c++) {
-        ordinary = ordinary & rhw_less(value[c], rhw_infinity());
+    f32x8 sum = value[0];
+    for (int c = 1; c < format->channels; c++) {
+        sum = sum + value[c];
     }
-    const bool is_special = rhw_any(~ordinary);
+    const bool is_special = rhw_any(~rhw_less(sum, rhw_infinity()));
+    uint32_t excess = 0;
     for (int c = 0; c < format->channels; c++) {
-        const int places = format->bits[c] - 5;
+        const int places = format->bits[c] - 5, first = format->first[c];
         i32x8 code = ufloat_from_float(value[c], places);
         if (is_special) {
-            code = ufloat_special(value[c], code, places);
+            code = ufloat_special(value[c], code - ufloat_excess(places), places) + ufloat_excess(places);
         }
-        word[0] = word[0] | (code << format->first[c]);
+        word[0] = (i32x8)((u32x8)word[0] + ((u32x8)code << first));
+        excess += (uint32_t)ufloat_excess(places) << first;
     }
+    word[0] = (i32x8)((u32x8)word[0] - excess);
 }
 
 RHW_INLINE void encode_known_fields(const struct rhw_format_info *format, const f32x8 *value, i32x8 word[4])
@@ -191,7 +207,7 @@ RHW_INLINE void encode_known_fields(const struct rhw_format_info *format, const 
         return;
     }
     if (rhw_format_is_normalized(format)) {
-        encode_normalized(format, value, word);
+        encode_normalized(format, value, false, word);
         return;
     }
     if (format->type == RHW_CHANNEL_UFLOAT) {
