@@ -78,6 +78,15 @@ static void weights_fragment(struct rhw_fragment *groups, int count)
     }
 }
 
+// Derivatives beside the depth.
+static void slopes_fragment(struct rhw_fragment *groups, int count)
+{
+    texel_fragment(groups, count);
+    for (int g = 0; g < count; g++) {
+        groups[g].color[0][2] = groups[g].depth;
+    }
+}
+
 enum program {
     PLAIN,
     DERIVATIVES,
@@ -90,16 +99,19 @@ enum program {
     COORDINATES,
     PLACE,
     WEIGHTS,
+    FLAT_DERIVATIVES,
     PROGRAMS
 };
 
 static void use_program(struct rig *rig, enum program program)
 {
     static rhw_fragment_function *const fragments[PROGRAMS] = {
-        [PLAIN] = rig_fragment_pass,    [DERIVATIVES] = texel_fragment,        [MASKED] = masked_fragment,
-        [SPARSE] = sparse_fragment,     [IDENTITY] = identity_fragment,        [FLAT] = rig_fragment_pass,
-        [SCREEN] = rig_fragment_pass,   [SCREEN_DERIVATIVES] = texel_fragment, [PLACE] = place_fragment,
-        [COORDINATES] = coord_fragment, [WEIGHTS] = weights_fragment,
+        [PLAIN] = rig_fragment_pass,    [DERIVATIVES] = texel_fragment,
+        [MASKED] = masked_fragment,     [SPARSE] = sparse_fragment,
+        [IDENTITY] = identity_fragment, [FLAT] = rig_fragment_pass,
+        [SCREEN] = rig_fragment_pass,   [SCREEN_DERIVATIVES] = texel_fragment,
+        [PLACE] = place_fragment,       [COORDINATES] = coord_fragment,
+        [WEIGHTS] = weights_fragment,   [FLAT_DERIVATIVES] = slopes_fragment,
     };
     static const uint32_t uses[PROGRAMS] = {
         [MASKED] = RHW_USE_DISCARD | RHW_USE_DEPTH,
@@ -108,11 +120,13 @@ static void use_program(struct rig *rig, enum program program)
         [COORDINATES] = RHW_USE_COORD,
         [PLACE] = RHW_USE_COORD | RHW_USE_IDS,
         [WEIGHTS] = RHW_USE_BARYCENTRIC | RHW_USE_BARYCENTRIC_DERIVATIVES,
+        [FLAT_DERIVATIVES] = RHW_USE_DEPTH,
     };
     rig_set_program(rig, rig_vertex_pass, fragments[program]);
     struct rhw_varying *const varying = &rig->pipeline.program.varyings[0];
-    varying->derivatives = program == DERIVATIVES || program == SCREEN_DERIVATIVES;
-    varying->qualifier = program == FLAT                                      ? RHW_FLAT
+    varying->derivatives =
+        program == DERIVATIVES || program == SCREEN_DERIVATIVES || program == FLAT_DERIVATIVES;
+    varying->qualifier = program == FLAT || program == FLAT_DERIVATIVES       ? RHW_FLAT
                          : program == SCREEN || program == SCREEN_DERIVATIVES ? RHW_NOPERSPECTIVE
                                                                               : RHW_SMOOTH;
     rig->pipeline.program.uses = uses[program];
@@ -271,9 +285,10 @@ static void draw_in_columns(struct rig *rig, const struct rig_vertex *vertices, 
 static void test_whole_tiles(void **state)
 {
     (void)state;
-    enum { TILES = 256, WHOLE = 6 };
-    static const enum program programs[WHOLE] = {PLAIN,  DERIVATIVES,        MASKED,
-                                                 SCREEN, SCREEN_DERIVATIVES, COORDINATES};
+    enum { TILES = 256, WHOLE = 7 };
+    // The last but one leaves derivatives in the queue, which the last one has to replace.
+    static const enum program programs[WHOLE] = {PLAIN,       DERIVATIVES,        MASKED,          SCREEN,
+                                                 COORDINATES, SCREEN_DERIVATIVES, FLAT_DERIVATIVES};
     static float whole[TILES * TILES][4];
     static const struct {
         float corners[3][2], w[3];
