@@ -228,22 +228,25 @@ static void test_stray_points(void **state)
     (void)state;
     enum { SIDE = 16, POINTS = SIDE * SIDE * SIDE, STRAYS = 10 };
     static char text[POINTS * 40];
+    const double place = -30; // all of it is on one side of the origin
     for (int case_number = 0; case_number < 3; case_number++) {
         char *out = text;
         for (int i = 0; i < POINTS; i++) {
             const double x = i % SIDE, y = i / SIDE % SIDE, z = i / SIDE / SIDE;
             const double along = case_number == 1 ? x * x * x / SIDE / SIDE : x;
-            out += sprintf(out, "%g %g %g\n", along, y, z);
+            out += sprintf(out, "%g %g %g\n", place + along, place + y, place + z);
         }
         for (int i = 0; i < STRAYS && case_number != 1; i++) {
             const double far = SIDE * (case_number == 0 ? 1 + 0.4 * i : 1 + 0.03 * i);
-            out += sprintf(out, "%g %g %g\n", i % 2 == 0 ? far : 1, i % 2 == 0 ? 1 : far, far);
+            out += sprintf(out, "%g %g %g\n", place + (i % 2 == 0 ? far : 1), place + (i % 2 == 0 ? 1 : far),
+                           place + far);
         }
         struct scene_model *const model = load_text("c.xyz", text);
         assert_int_equal(model->is_framed, case_number == 0);
         assert_int_equal(has_warning(model, "stray points are outside a fitted picture"), case_number == 0);
         for (int c = 0; c < 3 && case_number == 0; c++) {
-            assert_true(model->frame_min[c] > -SIDE && model->frame_max[c] < 1.5 * SIDE);
+            assert_true(model->frame_min[c] == place && model->frame_max[c] >= place + SIDE - 1);
+            assert_true(model->frame_max[c] < place + 1.5 * SIDE);
         }
         scene_model_free(model);
     }
