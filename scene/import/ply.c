@@ -508,6 +508,10 @@ void scene_import_ply(struct scene_import *import)
         scene_import_unsupported(import, "textures of %u faces (PLY): the file has none of their numbers",
                                  ply.stray_textures);
     }
-    add_meshes(&ply);
+    // Memory of the file serves the meshes. The names of textures are all that they still need of it.
+    for (int i = 0; i < ply.texture_count; i++) {
+        ply.textures[i].start = scene_word_bytes(import, ply.textures[i]);
+    }
     free(bytes);
+    add_meshes(&ply);
 }

@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "bounds.h"
 #include "draw/camera/box.h"
 
 // Clusters are apart by more than FAR times the size of the larger one.
@@ -47,18 +48,8 @@ static bool find_point(const struct scene_import_points *points, size_t number, 
 // Bound points that are floats alone. Return false if one of them is no number.
 static bool bound_floats(const struct scene_import_points *points, double low[3], double high[3])
 {
-    const float(*const floats)[3] = points->floats;
-    float least[3] = {floats[0][0], floats[0][1], floats[0][2]};
-    float most[3] = {floats[0][0], floats[0][1], floats[0][2]};
-    bool is_good = true;
-    for (size_t i = 0; i < points->count; i++) {
-        for (int c = 0; c < 3; c++) {
-            const float at = floats[i][c];
-            least[c] = at < least[c] ? at : least[c];
-            most[c] = at > most[c] ? at : most[c];
-            is_good &= at == at;
-        }
-    }
+    float least[3], most[3];
+    const bool is_good = scene_import_bound(points->floats, points->count, least, most);
     for (int c = 0; c < 3; c++) {
         low[c] = (double)least[c];
         high[c] = (double)most[c];
@@ -138,20 +129,32 @@ static uint32_t count_runs(const struct set *set)
     return filled > 2 * MOST ? 1 : runs;
 }
 
-static bool may_be(const struct scene_import_points *points, const struct scene_box *box)
+// Fill the bins of a set by every so many of the points, up to more bins than those of clusters. Return how many are
+// filled.
+static uint32_t fill_some(struct set *set, const struct scene_import_points *points, size_t step)
 {
-    struct set set = {.box = *box};
     uint32_t filled = 0;
-    choose_bins(&set);
-    for (size_t i = 0; i < points->count && filled <= 2 * MOST && !set.is_whole; i++) {
+    for (size_t i = 0; i < points->count && filled <= 2 * MOST; i += step) {
         double point[3];
         if (find_point(points, i, point)) {
-            const uint32_t bin = bin_of(&set, point);
-            filled += !has_points(&set, bin);
-            set.bins[bin / 64] |= (uint64_t)1 << bin % 64;
+            const uint32_t bin = bin_of(set, point);
+            filled += !has_points(set, bin);
+            set->bins[bin / 64] |= (uint64_t)1 << bin % 64;
         }
     }
-    return filled <= 2 * MOST && count_runs(&set) > 1;
+    return filled;
+}
+
+static bool may_be(const struct scene_import_points *points, const struct scene_box *box)
+{
+    enum { SOME = 4096 }; // points from everywhere that nearly always tell
+    struct set set = {.box = *box};
+    choose_bins(&set);
+    if (set.is_whole || fill_some(&set, points, points->count / SOME + 1) > 2 * MOST) {
+        return false;
+    }
+    choose_bins(&set);
+    return fill_some(&set, points, 1) <= 2 * MOST && count_runs(&set) > 1;
 }
 
 bool scene_import_clusters_may_be(const struct scene_import_points *points)

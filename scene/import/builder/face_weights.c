@@ -5,7 +5,7 @@
 
 #include <string.h>
 
-#include "rhw/shader_math.h"
+#include "rhw/shader.h"
 #include "vector.h"
 
 enum { BATCH = SCENE_FACE_BATCH };
@@ -15,16 +15,34 @@ struct edges {
     double ab[3][BATCH], ac[3][BATCH], bc[3][BATCH];
 };
 
+static const uint32_t *corners_of(const struct scene_mesh *mesh, const struct scene_face_batch *batch,
+                                  uint32_t i)
+{
+    return mesh->indices + 3 * (size_t)batch->faces[i < batch->count ? i : 0];
+}
+
+// Find the edges from the first corner, which normals are made of.
 static void find_edges(const struct scene_mesh *mesh, const struct scene_face_batch *batch,
                        struct edges *edges)
 {
     for (uint32_t i = 0; i < BATCH; i++) {
-        const uint32_t *const corner = mesh->indices + 3 * (size_t)batch->faces[i < batch->count ? i : 0];
+        const uint32_t *const corner = corners_of(mesh, batch, i);
         const float *const p = mesh->positions[corner[0]], *const q = mesh->positions[corner[1]],
                            *const r = mesh->positions[corner[2]];
         for (int c = 0; c < 3; c++) {
             edges->ab[c][i] = (double)q[c] - (double)p[c];
             edges->ac[c][i] = (double)r[c] - (double)p[c];
+        }
+    }
+}
+
+static void find_last_edges(const struct scene_mesh *mesh, const struct scene_face_batch *batch,
+                            struct edges *edges)
+{
+    for (uint32_t i = 0; i < BATCH; i++) {
+        const uint32_t *const corner = corners_of(mesh, batch, i);
+        const float *const q = mesh->positions[corner[1]], *const r = mesh->positions[corner[2]];
+        for (int c = 0; c < 3; c++) {
             edges->bc[c][i] = (double)r[c] - (double)q[c];
         }
     }
@@ -91,6 +109,7 @@ static void weigh_batch(const struct scene_mesh *mesh, struct scene_face_batch *
     struct edges edges;
     double areas[BATCH];
     find_edges(mesh, batch, &edges);
+    find_last_edges(mesh, batch, &edges);
     find_normals(&edges, batch->normals, areas);
     // An edge has the same unit vector from both ends, but for its sign.
     make_unit(edges.ab);

@@ -13,6 +13,13 @@ void scene_import_identity(float matrix[16])
     }
 }
 
+bool scene_import_is_identity(const float matrix[16])
+{
+    float identity[16];
+    scene_import_identity(identity);
+    return memcmp(matrix, identity, sizeof identity) == 0;
+}
+
 void scene_import_multiply(const float a[16], const float b[16], float product[16])
 {
     float result[16];

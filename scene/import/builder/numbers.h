@@ -7,6 +7,7 @@
 #include <stddef.h>
 
 void scene_import_identity(float matrix[16]);
+bool scene_import_is_identity(const float matrix[16]);
 /// Set the product. It may alias a or b.
 void scene_import_multiply(const float a[16], const float b[16], float product[16]);
 void scene_import_transform(const float matrix[16], const float point[3], float result[3]);

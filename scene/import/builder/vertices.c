@@ -52,30 +52,32 @@ void scene_import_gather_vertices(struct scene_import *import, struct scene_mesh
 
 void scene_import_drop_unused_vertices(struct scene_import *import, struct scene_mesh *mesh)
 {
-    uint32_t *place = scene_import_allocate(import, mesh->vertex_count, sizeof *place);
+    unsigned char *const is_used = scene_import_allocate(import, mesh->vertex_count, sizeof *is_used);
     uint32_t used = 0;
     for (uint32_t i = 0; i < mesh->index_count; i++) {
-        used += place[mesh->indices[i]] == 0;
-        place[mesh->indices[i]] = 1;
+        is_used[mesh->indices[i]] = 1;
     }
-    if (used == mesh->vertex_count) {
-        free(place);
-        return;
-    }
-    uint32_t *source = scene_import_allocate_any(import, used, sizeof *source);
-    uint32_t next = 0;
     for (uint32_t i = 0; i < mesh->vertex_count; i++) {
-        if (place[i] != 0) {
-            source[next] = i;
-            place[i] = next++;
+        used += is_used[i];
+    }
+    if (used < mesh->vertex_count) {
+        uint32_t *const place = scene_import_allocate_any(import, mesh->vertex_count, sizeof *place);
+        uint32_t *const source = scene_import_allocate_any(import, used, sizeof *source);
+        uint32_t next = 0;
+        for (uint32_t i = 0; i < mesh->vertex_count; i++) {
+            if (is_used[i] != 0) {
+                source[next] = i;
+                place[i] = next++;
+            }
         }
+        for (uint32_t i = 0; i < mesh->index_count; i++) {
+            mesh->indices[i] = place[mesh->indices[i]];
+        }
+        scene_import_gather_vertices(import, mesh, source, used);
+        free(source);
+        free(place);
     }
-    for (uint32_t i = 0; i < mesh->index_count; i++) {
-        mesh->indices[i] = place[mesh->indices[i]];
-    }
-    scene_import_gather_vertices(import, mesh, source, used);
-    free(source);
-    free(place);
+    free(is_used);
 }
 
 // A table of vertices by content. A slot holds a vertex or none. Twice as many slots as vertices keep the runs of
@@ -184,34 +186,51 @@ static inline bool same_vertex(const struct vertex_bytes *bytes, uint32_t a, uin
     return true;
 }
 
+enum { SOME = 32 }; // slots that are on their way from memory together
+
+// Find the hashes of some vertices, and ask for their slots.
+static uint32_t ask(const struct vertex_bytes *bytes, const struct vertex_table *table, uint32_t start,
+                    uint32_t count, uint64_t hashes[SOME])
+{
+    const uint32_t some = count - start < SOME ? count - start : SOME;
+    for (uint32_t i = 0; i < some; i++) {
+        hashes[i] = hash_of(bytes, start + i);
+        __builtin_prefetch(&table->slots[(uint32_t)hashes[i] & table->mask], 1);
+    }
+    return some;
+}
+
+// Return the first vertex that is equal to one. Add the vertex if there is none.
+static uint32_t find_or_add(const struct vertex_bytes *bytes, const struct vertex_table *table,
+                            uint32_t vertex, uint64_t hash)
+{
+    const uint32_t bits = table->vertex_bits, mark = (uint32_t)(hash >> 32) & ~bits;
+    uint32_t slot = (uint32_t)hash & table->mask, found = table->slots[slot];
+    while (found != none && ((found & ~bits) != mark || !same_vertex(bytes, found & bits, vertex))) {
+        slot = (slot + 1) & table->mask;
+        found = table->slots[slot];
+    }
+    if (found == none) {
+        table->slots[slot] = mark | vertex;
+        return vertex;
+    }
+    return found & bits;
+}
+
 // Write the first vertex that is equal to each to `first`, which is itself where none before is.
 static void find_first(struct scene_import *import, const struct vertex_bytes *bytes, uint32_t count,
                        uint32_t *first)
 {
-    enum { SOME = 16 }; // slots that are on their way from memory together
     const struct vertex_table table = make_table(import, count);
-    for (uint32_t start = 0; start < count; start += SOME) {
-        const uint32_t end = count - start < SOME ? count : start + SOME;
-        uint64_t hashes[SOME];
-        for (uint32_t i = start; i < end; i++) {
-            hashes[i - start] = hash_of(bytes, i);
-            __builtin_prefetch(&table.slots[(uint32_t)hashes[i - start] & table.mask], 1);
+    uint64_t hashes[2][SOME];
+    uint32_t some = ask(bytes, &table, 0, count, hashes[0]);
+    for (uint32_t start = 0, turn = 0; some > 0; turn ^= 1) {
+        const uint32_t here = some;
+        some = ask(bytes, &table, start + here, count, hashes[turn ^ 1]);
+        for (uint32_t i = 0; i < here; i++) {
+            first[start + i] = find_or_add(bytes, &table, start + i, hashes[turn][i]);
         }
-        for (uint32_t i = start; i < end; i++) {
-            const uint32_t mark = (uint32_t)(hashes[i - start] >> 32) & ~table.vertex_bits;
-            uint32_t slot = (uint32_t)hashes[i - start] & table.mask, found = table.slots[slot];
-            while (found != none && ((found & ~table.vertex_bits) != mark ||
-                                     !same_vertex(bytes, found & table.vertex_bits, i))) {
-                slot = (slot + 1) & table.mask;
-                found = table.slots[slot];
-            }
-            if (found == none) {
-                table.slots[slot] = mark | i;
-                first[i] = i;
-            } else {
-                first[i] = found & table.vertex_bits;
-            }
-        }
+        start += here;
     }
     free(table.slots);
 }

@@ -9,6 +9,7 @@
 #include "decode_images.h"
 #include "draw/camera/subject.h"
 #include "frame.h"
+#include "import/builder/bounds.h"
 #include "import/builder/normals.h"
 #include "import/builder/numbers.h"
 #include "import/builder/pieces.h"
@@ -33,21 +34,11 @@ static void empty_bounds(float least[3], float most[3])
     }
 }
 
-static void bound_mesh(struct scene_mesh *mesh)
-{
-    empty_bounds(mesh->bounds_min, mesh->bounds_max);
-    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
-        extend(mesh->bounds_min, mesh->bounds_max, mesh->positions[i]);
-    }
-}
-
 // Find the bounds of an instance in the world. Return false if a point leaves the range of floats.
 static bool bound_instance(const struct scene_mesh *mesh, const float world[16], float least[3],
                            float most[3])
 {
-    float identity[16];
-    scene_import_identity(identity);
-    const bool is_moved = memcmp(world, identity, sizeof identity) != 0;
+    const bool is_moved = !scene_import_is_identity(world);
     empty_bounds(least, most);
     for (uint32_t i = 0; i < mesh->vertex_count && is_moved; i++) {
         float point[3];
@@ -310,7 +301,9 @@ void scene_import_run(struct scene_import *import)
     warn_of_missing_uvs(import);
     scene_import_locate(import);
     for (uint32_t i = 0; i < model->mesh_count; i++) {
-        bound_mesh(&model->meshes[i]);
+        struct scene_mesh *const mesh = &model->meshes[i];
+        scene_import_bound((const float(*)[3])mesh->positions, mesh->vertex_count, mesh->bounds_min,
+                           mesh->bounds_max);
         if (model->meshes[i].primitive == SCENE_PRIMITIVE_TRIANGLES) {
             model->triangles_stored += model->meshes[i].index_count / 3;
         }

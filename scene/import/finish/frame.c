@@ -9,6 +9,7 @@
 #include "cloud_frame.h"
 #include "draw/camera/camera_math.h"
 #include "draw/camera/subject.h"
+#include "import/builder/numbers.h"
 
 static const double gap = 16, largest_speck = 0.1, largest_share = 0.02, tail = 0.1;
 enum { BINS = 256, GAP_BINS = 64, ROUNDS = 4, GROWTHS = 64 };
@@ -111,6 +112,23 @@ static bool sees_all(const struct search *search)
     return all;
 }
 
+// Extend a box by the vertices of an instance that are seen.
+static void extend_by(const struct scene_instance *instance, const struct scene_mesh *mesh, const bool *seen,
+                      struct scene_box *box)
+{
+    const bool is_moved = !scene_import_is_identity(instance->world);
+    for (uint32_t v = 0; v < mesh->vertex_count; v++) {
+        const float *const from = mesh->positions[v];
+        double point[3] = {(double)from[0], (double)from[1], (double)from[2]};
+        if (is_moved) {
+            scene_place_point(instance->world, from, point);
+        }
+        if (seen == NULL || seen[v]) {
+            scene_box_extend_to(box, point);
+        }
+    }
+}
+
 // Find the bounds of all vertices that are seen.
 static struct scene_box seen_box(const struct search *search)
 {
@@ -120,14 +138,9 @@ static struct scene_box seen_box(const struct search *search)
     }
     for (uint32_t i = 0; i < search->model->instance_count; i++) {
         const struct scene_instance *instance = &search->model->instances[i];
-        const struct scene_mesh *mesh = &search->model->meshes[instance->mesh];
-        const bool *seen = search->seen[instance->mesh].vertices;
-        for (uint32_t v = 0; v < mesh->vertex_count && !instance->unseen; v++) {
-            double point[3];
-            scene_place_point(instance->world, mesh->positions[v], point);
-            if (seen == NULL || seen[v]) {
-                scene_box_extend_to(&box, point);
-            }
+        if (!instance->unseen) {
+            extend_by(instance, &search->model->meshes[instance->mesh], search->seen[instance->mesh].vertices,
+                      &box);
         }
     }
     return box;

@@ -2,11 +2,11 @@
 // A model that is near is left as its reader made it, by floats.
 #include "locate.h"
 
-#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "import/builder/bounds.h"
 #include "import/builder/origin.h"
 #include "import/builder/pieces.h"
 #include "import/builder/place.h"
@@ -63,15 +63,9 @@ static struct scene_import_spread find_spread(struct scene_import *import)
 // Return the longest side of the box around all vertices of a mesh.
 static double longest_side(const struct scene_mesh *mesh)
 {
-    float low[3] = {FLT_MAX, FLT_MAX, FLT_MAX}, high[3] = {-FLT_MAX, -FLT_MAX, -FLT_MAX};
+    float low[3], high[3];
     double longest = 0;
-    for (uint32_t v = 0; v < mesh->vertex_count; v++) {
-        for (int c = 0; c < 3; c++) {
-            const float at = mesh->positions[v][c];
-            low[c] = at < low[c] ? at : low[c];
-            high[c] = at > high[c] ? at : high[c];
-        }
-    }
+    scene_import_bound((const float(*)[3])mesh->positions, mesh->vertex_count, low, high);
     for (int c = 0; c < 3; c++) {
         longest = fmax(longest, (double)high[c] - (double)low[c]);
     }

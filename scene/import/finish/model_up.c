@@ -7,6 +7,7 @@
 
 #include "draw/camera/camera_math.h"
 #include "draw/camera/subject.h"
+#include "import/builder/numbers.h"
 #include "symmetry.h"
 
 static const double slab = 0.02; // part of the model's extent that is lowest
@@ -39,9 +40,13 @@ static void find_standing_shares(const struct scene_model *model, double shares[
     for (uint32_t i = 0; i < model->instance_count; i++) {
         const struct scene_instance *instance = &model->instances[i];
         const struct scene_mesh *mesh = &model->meshes[instance->mesh];
+        const bool is_moved = !scene_import_is_identity(instance->world);
         for (uint32_t k = 0; k < mesh->vertex_count && !instance->unseen; k++) {
-            double p[3];
-            scene_place_point(instance->world, mesh->positions[k], p);
+            const float *const from = mesh->positions[k];
+            double p[3] = {(double)from[0], (double)from[1], (double)from[2]};
+            if (is_moved) {
+                scene_place_point(instance->world, from, p);
+            }
             if ((p[1] <= limits[1] || p[2] <= limits[2]) && scene_box_has(&room, p)) {
                 for (int axis = 1; axis < 3; axis++) {
                     if (p[axis] <= limits[axis]) {

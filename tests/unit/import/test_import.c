@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The OBJ and PLY readers, and the parts they rest on: numbers, polygons, normals, the way to the parent.
+#include "import/builder/bounds.h"
 #include "import/builder/face_weights.h"
 #include "import/builder/polygon.h"
 #include "import/blob.h"
@@ -9,6 +10,7 @@
 #include "model_files.h"
 #include "rhw/rhw.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -669,6 +671,30 @@ static void test_points_at_one_place(void **state)
     free(positions);
 }
 
+// Bounds of any number of points are those of each by itself. What is not a number does not count, and is told.
+static void test_bounds(void **state)
+{
+    (void)state;
+    enum { MOST = 27 };
+    for (uint32_t count = 0; count <= MOST; count++) {
+        for (uint32_t odd = 0; odd <= count; odd++) { // a point that has none, or all are good
+            float points[MOST][3], low[3], high[3];
+            float least[3] = {FLT_MAX, FLT_MAX, FLT_MAX}, most[3] = {-FLT_MAX, -FLT_MAX, -FLT_MAX};
+            for (uint32_t i = 0; i < 3 * count; i++) {
+                const float at = (float)(next_random() % 1000) - 500;
+                points[i / 3][i % 3] = i / 3 == odd && i % 3 == odd % 3 ? NAN : at;
+                if (points[i / 3][i % 3] == at) {
+                    least[i % 3] = fminf(least[i % 3], at);
+                    most[i % 3] = fmaxf(most[i % 3], at);
+                }
+            }
+            assert_int_equal(scene_import_bound((const float(*)[3])points, count, low, high), odd == count);
+            assert_memory_equal(low, least, sizeof low);
+            assert_memory_equal(high, most, sizeof high);
+        }
+    }
+}
+
 enum { FACES = SCENE_FACE_BATCH - 3 };
 
 // Points of a batch of faces are summed as each face by itself, in the order of the faces, and then made unit vectors.
@@ -751,6 +777,7 @@ static void test_batch_of_faces(void **state)
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_batch_of_faces),
     cmocka_unit_test(test_points_at_one_place),
+    cmocka_unit_test(test_bounds),
     cmocka_unit_test(test_numbers),
     cmocka_unit_test(test_polygons),
     cmocka_unit_test(test_large_polygons),
