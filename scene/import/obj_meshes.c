@@ -49,7 +49,7 @@ static void copy_positions(struct obj *obj, const struct part *part, struct chos
 {
     const size_t count = chosen.count;
     if (obj->positions == NULL) {
-        double(*exact)[3] = scene_import_allocate(obj->import, count, sizeof *exact);
+        double(*exact)[3] = scene_import_allocate_any(obj->import, count, sizeof *exact);
         for (size_t i = 0; i < count; i++) {
             memcpy(exact[i], obj->read_positions[part->corners[chosen.corners[i]].position], sizeof exact[i]);
         }
@@ -57,7 +57,7 @@ static void copy_positions(struct obj *obj, const struct part *part, struct chos
         mesh->positions = scene_import_settle(obj->import, exact, count, obj->origin);
         return;
     }
-    mesh->positions = scene_import_allocate(obj->import, count, sizeof *mesh->positions);
+    mesh->positions = scene_import_allocate_any(obj->import, count, sizeof *mesh->positions);
     for (size_t i = 0; i < count; i++) {
         memcpy(mesh->positions[i], obj->positions[part->corners[chosen.corners[i]].position],
                sizeof mesh->positions[i]);
@@ -72,13 +72,13 @@ static void copy_corners(struct obj *obj, const struct part *part, struct chosen
     mesh->vertex_count = (uint32_t)count;
     copy_positions(obj, part, chosen, mesh);
     if (part->key.has_uv) {
-        mesh->uvs[0] = scene_import_allocate(import, count, sizeof *mesh->uvs[0]);
+        mesh->uvs[0] = scene_import_allocate_any(import, count, sizeof *mesh->uvs[0]);
     }
     if (part->key.has_normal) {
-        mesh->normals = scene_import_allocate(import, count, sizeof *mesh->normals);
+        mesh->normals = scene_import_allocate_any(import, count, sizeof *mesh->normals);
     }
     if (obj->colored) {
-        mesh->colors = scene_import_allocate(import, count, sizeof *mesh->colors);
+        mesh->colors = scene_import_allocate_any(import, count, sizeof *mesh->colors);
     }
     for (size_t i = 0; i < count; i++) {
         const struct corner *corner = &part->corners[chosen.corners[i]];
@@ -132,7 +132,7 @@ static uint32_t find_vertex(struct obj *obj, const struct part *part, uint32_t n
 static void copy_all(struct obj *obj, const struct part *part, struct scene_mesh *mesh)
 {
     const size_t count = part->corner_count;
-    uint32_t *const corners = scene_import_allocate(obj->import, count, sizeof *corners);
+    uint32_t *const corners = scene_import_allocate_any(obj->import, count, sizeof *corners);
     for (uint32_t i = 0; i < count; i++) {
         corners[i] = i;
     }
@@ -146,8 +146,8 @@ static void join_corners(struct obj *obj, const struct part *part, struct scene_
 {
     struct scene_import *const import = obj->import;
     const size_t count = part->corner_count;
-    struct joining joining = {.next = scene_import_allocate(import, count, sizeof(uint32_t)),
-                              .corners = scene_import_allocate(import, count, sizeof(uint32_t))};
+    struct joining joining = {.next = scene_import_allocate_any(import, count, sizeof(uint32_t)),
+                              .corners = scene_import_allocate_any(import, count, sizeof(uint32_t))};
     uint32_t *const vertices = scene_import_allocate(import, count, sizeof *vertices);
     for (uint32_t i = 0; i < mesh->index_count; i++) {
         vertices[mesh->indices[i]] = 1; // used
@@ -184,7 +184,7 @@ static void make_indices(struct obj *obj, const struct part *part, struct scene_
         scene_import_fail(obj->import, "has too many faces");
     }
     mesh->index_count = (uint32_t)count;
-    mesh->indices = scene_import_allocate(obj->import, count, sizeof *mesh->indices);
+    mesh->indices = scene_import_allocate_any(obj->import, count, sizeof *mesh->indices);
     uint32_t *next = mesh->indices, first = 0;
     uint32_t *polygon = NULL;
     size_t polygon_capacity = 0;
@@ -274,7 +274,7 @@ void scene_obj_add_parts(struct obj *obj)
     if (obj->joins_corners) {
         const size_t size = obj->position_count * sizeof *obj->first_vertices;
         obj->first_vertices =
-            scene_import_allocate(obj->import, obj->position_count, sizeof *obj->first_vertices);
+            scene_import_allocate_any(obj->import, obj->position_count, sizeof *obj->first_vertices);
         memset(obj->first_vertices, 0xff, size);
     }
     for (size_t i = 0; i < obj->part_count; i++) {

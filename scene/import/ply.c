@@ -283,7 +283,7 @@ static void *copy_array(struct ply *ply, const void *array, size_t size, struct 
     if (array == NULL) {
         return NULL;
     }
-    char *const copy = scene_import_allocate(ply->import, chosen.count, size);
+    char *const copy = scene_import_allocate_any(ply->import, chosen.count, size);
     for (uint32_t i = 0; i < chosen.count; i++) {
         const size_t from = chosen.corners == NULL ? i : chosen.corners[i];
         memcpy(copy + i * size, (const char *)array + from * size, size);
@@ -417,7 +417,7 @@ static void add_points(struct ply *ply)
     struct scene_mesh *mesh = &ply->mesh;
     mesh->primitive = SCENE_PRIMITIVE_POINTS;
     mesh->index_count = mesh->vertex_count;
-    mesh->indices = scene_import_allocate(ply->import, mesh->vertex_count, sizeof *mesh->indices);
+    mesh->indices = scene_import_allocate_any(ply->import, mesh->vertex_count, sizeof *mesh->indices);
     for (uint32_t i = 0; i < mesh->vertex_count; i++) {
         mesh->indices[i] = i;
     }

@@ -15,12 +15,12 @@ static void allocate_vertices(struct ply *ply, const bool present[TARGETS], uint
         scene_import_fail(ply->import, "its vertices have no positions");
     }
     mesh->vertex_count = count;
-    ply->read_positions = scene_import_allocate(ply->import, count, sizeof *ply->read_positions);
+    ply->read_positions = scene_import_allocate_any(ply->import, count, sizeof *ply->read_positions);
     if (present[NX] && present[NY] && present[NZ]) {
-        mesh->normals = scene_import_allocate(ply->import, count, sizeof *mesh->normals);
+        mesh->normals = scene_import_allocate_any(ply->import, count, sizeof *mesh->normals);
     }
     if (present[U] && present[V]) {
-        mesh->uvs[0] = scene_import_allocate(ply->import, count, sizeof *mesh->uvs[0]);
+        mesh->uvs[0] = scene_import_allocate_any(ply->import, count, sizeof *mesh->uvs[0]);
     }
 }
 

@@ -64,9 +64,8 @@ static void set_normal(struct solid *solid, size_t first, const float given[3])
     const bool good = is_normal(given);
     solid->has_normals = solid->has_normals || good;
     for (size_t k = 0; k < 3; k++) {
-        memset(solid->normals[first + k], 0, sizeof solid->normals[first + k]);
-        if (good) {
-            memcpy(solid->normals[first + k], given, sizeof solid->normals[first + k]);
+        for (int c = 0; c < 3; c++) {
+            solid->normals[first + k][c] = good ? given[c] : 0;
         }
     }
 }
@@ -151,12 +150,17 @@ static uint32_t read_32(const unsigned char *bytes)
     return (uint32_t)bytes[0] | (uint32_t)bytes[1] << 8 | (uint32_t)bytes[2] << 16 | (uint32_t)bytes[3] << 24;
 }
 
-static float read_float(const unsigned char *bytes)
+static const unsigned char *facet_of(const unsigned char *bytes, size_t facet)
 {
-    const uint32_t word = read_32(bytes);
-    float value;
-    memcpy(&value, &word, sizeof value);
-    return value;
+    return bytes + HEADER + facet * FACET;
+}
+
+static void read_vector(const unsigned char *bytes, float vector[3])
+{
+    for (int c = 0; c < 3; c++) {
+        const uint32_t word = read_32(bytes + 4 * c);
+        memcpy(&vector[c], &word, sizeof word);
+    }
 }
 
 // What the 16 bits after a facet mean. They mean nothing unless a facet says that its colour is valid (VisCAM,
@@ -197,18 +201,34 @@ static void tell_of_head(struct scene_import *import, const unsigned char *bytes
 
 static unsigned read_word(const unsigned char *bytes, size_t facet)
 {
-    const unsigned char *const word = bytes + HEADER + facet * FACET + 48;
+    const unsigned char *const word = facet_of(bytes, facet) + 48;
     return word[0] | (unsigned)word[1] << 8;
 }
 
+// What the facets of a file have.
+struct survey {
+    unsigned words;  // bits that are set in the word of any facet
+    bool has_normal; // at least one facet has a normal
+};
+
+static struct survey survey_facets(const unsigned char *bytes, size_t facets)
+{
+    struct survey survey = {.words = 0};
+    for (size_t i = 0; i < facets; i++) {
+        survey.words |= read_word(bytes, i);
+        if (!survey.has_normal) {
+            float normal[3];
+            read_vector(facet_of(bytes, i), normal);
+            survey.has_normal = is_normal(normal);
+        }
+    }
+    return survey;
+}
+
 // Take the head of Magics, if it is there and the facets have words. Words that are all 0 would be a black model.
-static void take_head(struct palette *palette, const unsigned char *bytes, size_t facets)
+static void take_head(struct palette *palette, const unsigned char *bytes, bool has_words)
 {
     const char key[] = "COLOR=";
-    bool has_words = false;
-    for (size_t i = 0; i < facets && !has_words; i++) {
-        has_words = read_word(bytes, i) != 0;
-    }
     for (int i = 0; i + 10 <= 80 && !palette->colored; i++) {
         palette->colored = memcmp(bytes + i, key, strlen(key)) == 0;
         for (int c = 0; c < 3 && palette->colored; c++) {
@@ -233,7 +253,8 @@ static bool is_unpainted_meshmixer(const unsigned char *bytes, size_t facets)
     return is_unpainted && has_white;
 }
 
-static struct palette find_palette(struct scene_import *import, const unsigned char *bytes, size_t facets)
+static struct palette find_palette(struct scene_import *import, const unsigned char *bytes, size_t facets,
+                                   unsigned words)
 {
     // Facets without a colour take the colour of a model that has none.
     struct palette palette = {.valid = 0x8000, .common = {0.6f, 0.6f, 0.6f, 1}};
@@ -242,14 +263,10 @@ static struct palette find_palette(struct scene_import *import, const unsigned c
     }
     palette.begins_with_red = is_head_of_meshlab(bytes);
     if (!palette.begins_with_red) {
-        take_head(&palette, bytes, facets);
+        take_head(&palette, bytes, words != 0);
     }
-    bool has_words = false;
-    for (size_t i = 0; i < facets && !palette.colored; i++) {
-        palette.colored = (read_word(bytes, i) & 0x8000) != 0;
-        has_words = has_words || read_word(bytes, i) != 0;
-    }
-    if (has_words && !palette.colored) {
+    palette.colored = palette.colored || (words & 0x8000) != 0;
+    if (words != 0 && !palette.colored) {
         scene_import_unsupported(import, "attributes of facets that are no colours (STL): not drawn");
     }
     return palette;
@@ -286,38 +303,38 @@ static size_t count_facets(struct scene_import *import, const unsigned char *byt
     return said;
 }
 
-static void read_binary(struct scene_import *import, const unsigned char *bytes, size_t size)
+static struct solid read_binary(struct scene_import *import, const unsigned char *bytes, size_t size)
 {
     if (size < HEADER) {
         scene_import_fail(import, "is cut: it has %zu bytes, and the head of a binary STL has %d", size,
                           HEADER);
     }
     const size_t count = count_facets(import, bytes, size);
-    const struct palette palette = find_palette(import, bytes, count);
+    const struct survey survey = survey_facets(bytes, count);
+    const struct palette palette = find_palette(import, bytes, count, survey.words);
     tell_of_head(import, bytes);
     struct solid solid = {.name = "", .corners = 3 * count};
     solid.floats = scene_import_allocate_any(import, solid.corners, sizeof *solid.floats);
-    solid.normals = scene_import_allocate_any(import, solid.corners, sizeof *solid.normals);
+    if (survey.has_normal) { // many programs write zeros alone
+        solid.normals = scene_import_allocate_any(import, solid.corners, sizeof *solid.normals);
+    }
     if (palette.colored) {
         solid.colors = scene_import_allocate_any(import, solid.corners, sizeof *solid.colors);
     }
     for (size_t i = 0; i < count; i++) {
-        const unsigned char *facet = bytes + HEADER + i * FACET;
-        float normal[3];
-        for (int c = 0; c < 3; c++) {
-            normal[c] = read_float(facet + 4 * c);
-        }
         for (size_t k = 0; k < 3; k++) {
-            for (size_t c = 0; c < 3; c++) {
-                solid.floats[3 * i + k][c] = read_float(facet + 12 + 12 * k + 4 * c);
-            }
+            read_vector(facet_of(bytes, i) + 12 + 12 * k, solid.floats[3 * i + k]);
         }
-        set_normal(&solid, 3 * i, normal);
+        if (solid.normals != NULL) {
+            float normal[3];
+            read_vector(facet_of(bytes, i), normal);
+            set_normal(&solid, 3 * i, normal);
+        }
         for (size_t k = 0; k < 3 && palette.colored; k++) {
             read_color(&palette, read_word(bytes, i), solid.colors[3 * i + k]);
         }
     }
-    add_solid(import, &solid);
+    return solid;
 }
 
 // Text ----------------------------------------------------------------------------------------------
@@ -492,8 +509,10 @@ void scene_import_stl(struct scene_import *import)
     import->up_is_open = true;
     if (is_text(bytes, size)) {
         read_text(import, bytes, size);
-    } else {
-        read_binary(import, (const unsigned char *)bytes, size);
+        free(bytes);
+        return;
     }
-    free(bytes);
+    struct solid solid = read_binary(import, (const unsigned char *)bytes, size);
+    free(bytes); // its memory serves the mesh
+    add_solid(import, &solid);
 }

@@ -128,15 +128,13 @@ static void complete(struct scene_import *import, struct scene_mesh *mesh, enum 
     zero_what_is_not_finite((float *)mesh->colors, 4 * (size_t)mesh->vertex_count);
     check_normals(import, mesh);
     check_tangents(mesh);
-    if (join) {
-        scene_import_join_vertices(import, mesh);
-    }
+    const bool are_distinct = join && scene_import_join_vertices(import, mesh); // by their positions
     if (mesh->primitive != SCENE_PRIMITIVE_TRIANGLES) {
         return;
     }
     const bool has_normals = mesh->normals != NULL;
     if (!has_normals) {
-        scene_import_make_normals(import, mesh, normals, polygons);
+        scene_import_make_normals(import, mesh, normals, polygons, are_distinct);
         if (normals == SCENE_IMPORT_FLAT) {
             scene_import_join_vertices(import,
                                        // The triangles of one flat face share their vertices again.

@@ -57,12 +57,12 @@ static void make_flat(struct scene_import *import, struct scene_mesh *mesh)
 }
 
 void scene_import_make_normals(struct scene_import *import, struct scene_mesh *mesh,
-                               enum scene_import_normals kind, const uint32_t *polygons)
+                               enum scene_import_normals kind, const uint32_t *polygons, bool are_distinct)
 {
     if (kind == SCENE_IMPORT_FLAT) {
         make_flat(import, mesh);
     } else {
-        scene_import_make_smooth(import, mesh, polygons);
+        scene_import_make_smooth(import, mesh, polygons, are_distinct);
     }
 }
 

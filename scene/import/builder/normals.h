@@ -12,9 +12,10 @@ enum scene_import_normals {
 };
 
 /// Make normals. `polygons` has the polygon that each triangle was cut from, or is NULL where none was. Triangles of
-/// one polygon that are folded along their edge have a crease there.
+/// one polygon that are folded along their edge have a crease there. With `are_distinct`, no two positions have the
+/// same bytes.
 void scene_import_make_normals(struct scene_import *import, struct scene_mesh *mesh,
-                               enum scene_import_normals kind, const uint32_t *polygons);
+                               enum scene_import_normals kind, const uint32_t *polygons, bool are_distinct);
 /// Turn the normals of a mesh, and tangents with them, of the triangles that have normals on the side from which their
 /// corners run clockwise. A surface is shaded by the side that is seen, and the corners say which side that is. A
 /// vertex of turned triangles and of others becomes two.

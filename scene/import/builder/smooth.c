@@ -434,7 +434,8 @@ static uint32_t *own_points(struct scene_import *import, uint32_t vertices)
     return point;
 }
 
-void scene_import_make_smooth(struct scene_import *import, struct scene_mesh *mesh, const uint32_t *polygons)
+void scene_import_make_smooth(struct scene_import *import, struct scene_mesh *mesh, const uint32_t *polygons,
+                              bool are_distinct)
 {
     const uint32_t vertices = mesh->vertex_count;
     struct smoothing smoothing = {.mesh = mesh,
@@ -446,8 +447,8 @@ void scene_import_make_smooth(struct scene_import *import, struct scene_mesh *me
         smoothing.crease_cosine = import->crease_cosine;
         smoothing.even_cosine = sqrt((1 + import->crease_cosine) / 2);
     }
-    smoothing.point =
-        import->has_own_points ? own_points(import, vertices) : scene_import_weld_positions(import, mesh);
+    smoothing.point = import->has_own_points ? own_points(import, vertices)
+                                             : scene_import_weld_positions(import, mesh, are_distinct);
     smoothing.points = scene_import_allocate(import, vertices, sizeof *smoothing.points);
     smoothing.uneven = scene_import_allocate(import, vertices, sizeof *smoothing.uneven);
     sum_all(&smoothing);

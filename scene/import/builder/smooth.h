@@ -6,6 +6,8 @@
 #include "import.h"
 
 /// Give a mesh of triangles normals that are smooth except across creases and folds of `polygons`, which may be NULL.
-void scene_import_make_smooth(struct scene_import *import, struct scene_mesh *mesh, const uint32_t *polygons);
+/// With `are_distinct`, no two positions have the same bytes.
+void scene_import_make_smooth(struct scene_import *import, struct scene_mesh *mesh, const uint32_t *polygons,
+                              bool are_distinct);
 
 #endif

@@ -87,16 +87,22 @@ struct vertex_table {
     uint32_t *slots;
     uint32_t mask;
     uint32_t vertex_bits; // all ones are no vertex
+    uint32_t count;       // slots that hold a vertex
 };
 
-static struct vertex_table make_table(struct scene_import *import, uint32_t vertices)
+// Make a table of at least so many slots, of a mesh of so many vertices.
+static struct vertex_table make_table(struct scene_import *import, size_t least, uint32_t vertices)
 {
-    size_t size = 16;
-    while (size < (size_t)vertices * 2) {
+    size_t size = 16, bits = 16;
+    while (size < least) {
         size *= 2;
     }
-    const uint32_t mask = (uint32_t)(size - 1);
-    struct vertex_table table = {scene_import_allocate_any(import, size, sizeof(uint32_t)), mask, mask};
+    while (bits <= vertices) {
+        bits *= 2;
+    }
+    struct vertex_table table = {.slots = scene_import_allocate_any(import, size, sizeof(uint32_t)),
+                                 .mask = (uint32_t)(size - 1),
+                                 .vertex_bits = (uint32_t)(bits - 1)};
     memset(table.slots, 0xff, size * sizeof(uint32_t));
     return table;
 }
@@ -201,8 +207,8 @@ static uint32_t ask(const struct vertex_bytes *bytes, const struct vertex_table 
 }
 
 // Return the first vertex that is equal to one. Add the vertex if there is none.
-static uint32_t find_or_add(const struct vertex_bytes *bytes, const struct vertex_table *table,
-                            uint32_t vertex, uint64_t hash)
+static uint32_t find_or_add(const struct vertex_bytes *bytes, struct vertex_table *table, uint32_t vertex,
+                            uint64_t hash)
 {
     const uint32_t bits = table->vertex_bits, mark = (uint32_t)(hash >> 32) & ~bits;
     uint32_t slot = (uint32_t)hash & table->mask, found = table->slots[slot];
@@ -212,20 +218,46 @@ static uint32_t find_or_add(const struct vertex_bytes *bytes, const struct verte
     }
     if (found == none) {
         table->slots[slot] = mark | vertex;
+        table->count++;
         return vertex;
     }
     return found & bits;
 }
 
-// Write the first vertex that is equal to each to `first`, which is itself where none before is.
-static void find_first(struct scene_import *import, const struct vertex_bytes *bytes, uint32_t count,
-                       uint32_t *first)
+// Make room for some vertices more. No two that are in the table are equal.
+static void grow(struct scene_import *import, const struct vertex_bytes *bytes, struct vertex_table *table,
+                 uint32_t vertices)
 {
-    const struct vertex_table table = make_table(import, count);
+    const struct vertex_table before = *table;
+    if (2 * ((size_t)before.count + SOME) <= (size_t)before.mask + 1) {
+        return;
+    }
+    *table = make_table(import, 4 * ((size_t)before.mask + 1), vertices);
+    for (size_t i = 0; i <= before.mask; i++) {
+        if (before.slots[i] != none) {
+            const uint32_t vertex = before.slots[i] & before.vertex_bits;
+            uint32_t slot = (uint32_t)hash_of(bytes, vertex) & table->mask;
+            while (table->slots[slot] != none) {
+                slot = (slot + 1) & table->mask;
+            }
+            table->slots[slot] = before.slots[i];
+        }
+    }
+    table->count = before.count;
+    free(before.slots);
+}
+
+// Write the first vertex that is equal to each to `first`, which is itself where none before is. A table for the number
+// of different vertices that is expected fits the caches better than one for all.
+static void find_first(struct scene_import *import, const struct vertex_bytes *bytes, uint32_t count,
+                       uint32_t expected, uint32_t *first)
+{
+    struct vertex_table table = make_table(import, 2 * ((size_t)expected + SOME), count);
     uint64_t hashes[2][SOME];
     uint32_t some = ask(bytes, &table, 0, count, hashes[0]);
     for (uint32_t start = 0, turn = 0; some > 0; turn ^= 1) {
         const uint32_t here = some;
+        grow(import, bytes, &table, count);
         some = ask(bytes, &table, start + here, count, hashes[turn ^ 1]);
         for (uint32_t i = 0; i < here; i++) {
             first[start + i] = find_or_add(bytes, &table, start + i, hashes[turn][i]);
@@ -235,21 +267,41 @@ static void find_first(struct scene_import *import, const struct vertex_bytes *b
     free(table.slots);
 }
 
-uint32_t *scene_import_weld_positions(struct scene_import *import, const struct scene_mesh *mesh)
+static bool has_negative_zero(const struct scene_mesh *mesh)
+{
+    bool found = false;
+    for (size_t i = 0; i < mesh->vertex_count; i++) {
+        for (int c = 0; c < 3; c++) {
+            found |= mesh->positions[i][c] == 0 && __builtin_signbit(mesh->positions[i][c]);
+        }
+    }
+    return found;
+}
+
+uint32_t *scene_import_weld_positions(struct scene_import *import, const struct scene_mesh *mesh,
+                                      bool are_distinct)
 {
     uint32_t *const group = scene_import_allocate_any(import, mesh->vertex_count, sizeof *group);
+    if (are_distinct && !has_negative_zero(mesh)) {
+        for (uint32_t i = 0; i < mesh->vertex_count; i++) {
+            group[i] = i;
+        }
+        return group;
+    }
     const struct vertex_bytes places = {.arrays = {(const char *)mesh->positions}, .are_places = true};
-    find_first(import, &places, mesh->vertex_count, group);
+    find_first(import, &places, mesh->vertex_count, mesh->vertex_count, group);
     return group;
 }
 
-void scene_import_join_vertices(struct scene_import *import, struct scene_mesh *mesh)
+bool scene_import_join_vertices(struct scene_import *import, struct scene_mesh *mesh)
 {
     uint32_t *const place = scene_import_allocate_any(import, mesh->vertex_count, sizeof *place);
     uint32_t *const source = scene_import_allocate_any(import, mesh->vertex_count, sizeof *source);
     const struct vertex_bytes bytes = bytes_of(mesh);
     uint32_t count = 0;
-    find_first(import, &bytes, mesh->vertex_count, place);
+    // Where each corner has a vertex of its own, six stand at most places.
+    const uint32_t usual = mesh->vertex_count / (mesh->vertex_count < mesh->index_count ? 1 : 4);
+    find_first(import, &bytes, mesh->vertex_count, usual, place);
     for (uint32_t i = 0; i < mesh->vertex_count; i++) {
         if (place[i] == i) {
             source[count] = i;
@@ -266,4 +318,5 @@ void scene_import_join_vertices(struct scene_import *import, struct scene_mesh *
     }
     free(place);
     free(source);
+    return bytes.count == 1;
 }

@@ -655,7 +655,7 @@ static void test_points_at_one_place(void **state)
         positions[i][2] = -0x1p-9f * (float)(i / SAME);
     }
     const struct scene_mesh mesh = {.positions = positions, .vertex_count = COUNT};
-    uint32_t *const first = scene_import_weld_positions(&import, &mesh);
+    uint32_t *const first = scene_import_weld_positions(&import, &mesh, false);
     for (uint32_t i = 0; i < COUNT; i++) {
         assert_int_equal(first[i], i / SAME * SAME);
     }
@@ -663,12 +663,55 @@ static void test_points_at_one_place(void **state)
     for (uint32_t i = 0; i < COUNT; i++) {
         positions[i][1] = (float)(i % SAME);
     }
-    uint32_t *const own = scene_import_weld_positions(&import, &mesh);
-    for (uint32_t i = 0; i < COUNT; i++) {
-        assert_int_equal(own[i], i);
+    for (int are_distinct = 0; are_distinct < 2; are_distinct++) {
+        uint32_t *const own = scene_import_weld_positions(&import, &mesh, are_distinct);
+        for (uint32_t i = 0; i < COUNT; i++) {
+            assert_int_equal(own[i], i);
+        }
+        free(own);
     }
-    free(own);
+    // No two have the same bytes, but two are at one place.
+    const float pair[2][3] = {{0, 1, 2}, {-0.0f, 1, 2}};
+    memcpy(positions, pair, sizeof pair);
+    uint32_t *const joined = scene_import_weld_positions(&import, &mesh, true);
+    assert_int_equal(joined[0], 0);
+    assert_int_equal(joined[1], 0);
+    assert_int_equal(joined[2], 2);
+    free(joined);
     free(positions);
+}
+
+// Vertices that are equal become the first of them, also where more are different than was expected.
+static void test_equal_vertices(void **state)
+{
+    (void)state;
+    enum { COUNT = 6000, DIFFERENT = COUNT / 2 };
+    struct scene_import import = {.read = NULL};
+    struct scene_mesh mesh = {.vertex_count = COUNT,
+                              .index_count = COUNT,
+                              .positions = malloc(COUNT * sizeof *mesh.positions),
+                              .colors = calloc(COUNT, sizeof *mesh.colors),
+                              .indices = malloc(COUNT * sizeof *mesh.indices)};
+    for (uint32_t i = 0; i < COUNT; i++) {
+        mesh.indices[i] = i;
+        for (int c = 0; c < 3; c++) {
+            mesh.positions[i][c] = (float)(i % DIFFERENT / 2 + (uint32_t)c);
+        }
+        mesh.colors[i][3] = (float)(i % 2);
+    }
+    assert_false(scene_import_join_vertices(&import, &mesh));
+    assert_int_equal(mesh.vertex_count, DIFFERENT);
+    for (uint32_t i = 0; i < COUNT; i++) {
+        assert_int_equal(mesh.indices[i], i % DIFFERENT);
+        assert_true(mesh.positions[i % DIFFERENT][1] == (float)(i % DIFFERENT / 2 + 1));
+        assert_true(mesh.colors[i % DIFFERENT][3] == (float)(i % 2));
+    }
+    free(mesh.colors);
+    mesh.colors = NULL;
+    assert_true(scene_import_join_vertices(&import, &mesh)); // positions alone
+    assert_int_equal(mesh.vertex_count, DIFFERENT / 2);
+    free(mesh.positions);
+    free(mesh.indices);
 }
 
 // Bounds of any number of points are those of each by itself. What is not a number does not count, and is told.
@@ -777,6 +820,7 @@ static void test_batch_of_faces(void **state)
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_batch_of_faces),
     cmocka_unit_test(test_points_at_one_place),
+    cmocka_unit_test(test_equal_vertices),
     cmocka_unit_test(test_bounds),
     cmocka_unit_test(test_numbers),
     cmocka_unit_test(test_polygons),

@@ -407,6 +407,11 @@ static void test_binary_rows(void **state)
     expect_refused("cut.ply", "it ends in face 29 of 30");
     write_grid("short.ply", &form, good, GRID_FACES * 13 + 8 + 1);
     expect_refused("short.ply", "it ends in vertex 24 of 25");
+    for (size_t left_out = 1; left_out < GRID_POINTS * 12 + GRID_FACES * 13;
+         left_out += left_out < 40 ? 1 : 7) {
+        write_grid("cut.ply", &form, good, left_out);
+        expect_refused("cut.ply", "is truncated");
+    }
 }
 
 static const struct CMUnitTest tests[] = {

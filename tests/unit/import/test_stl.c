@@ -118,6 +118,39 @@ static void test_no_colors(void **state)
     scene_model_free(model);
 }
 
+// Facets of which one has a normal are flat, whichever it is. Without any they are smooth over their edge, which is not
+// sharp.
+static void test_normals_of_binary(void **state)
+{
+    (void)state;
+    enum { COUNT = 2 };
+    const float corners[COUNT][9] = {{0, 0, 0, 1, 0, 0, 0, 1, 0}, {1, 0, 0, 1, 1, 0.25f, 0, 1, 0}};
+    const float normals[COUNT][3] = {{0, 0, 1}, {-0.2357f, -0.2357f, 0.9428f}};
+    for (int given = 0; given <= COUNT; given++) { // the facet that has its normal, or none
+        memset(bytes, 0, HEADER + COUNT * FACET);
+        bytes[80] = COUNT;
+        for (int i = 0; i < COUNT; i++) {
+            unsigned char *const facet = bytes + HEADER + i * FACET;
+            memcpy(facet + 12, corners[i], sizeof corners[i]);
+            if (i == given) {
+                memcpy(facet, normals[i], sizeof normals[i]);
+            }
+        }
+        write_bytes("x.stl", bytes, HEADER + COUNT * FACET);
+        struct scene_model *const model = load("x.stl");
+        const struct scene_mesh *const mesh = &model->meshes[0];
+        assert_int_equal(mesh->vertex_count, given < COUNT ? 6 : 4);
+        for (uint32_t k = 0; k < 6 && given < COUNT; k++) {
+            assert_floats(mesh->normals[mesh->indices[k]], normals[k / 3], 3, 1e-3f);
+        }
+        scene_model_free(model);
+    }
+    for (size_t size = 1; size < HEADER + COUNT * FACET; size++) {
+        write_bytes("x.stl", bytes, size);
+        expect_refused("x.stl", "is cut");
+    }
+}
+
 static void test_counts(void **state)
 {
     (void)state;
@@ -322,6 +355,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_text),
     cmocka_unit_test(test_odd_normals),
     cmocka_unit_test(test_one_lacks_a_normal),
+    cmocka_unit_test(test_normals_of_binary),
     cmocka_unit_test(test_normals_that_oppose_corners),
     cmocka_unit_test(test_normals_of_another_pose),
     cmocka_unit_test(test_marks),
