@@ -128,6 +128,8 @@ char *scene_assimp_write_cameras(struct scene_import *import, char *text, size_t
 char *scene_assimp_flatten_dxf(struct scene_import *import, char *bytes, size_t *size);
 /// Write what the insertions of a DXF draw in their places. Return the text, which may be another one by then.
 char *scene_assimp_insert_blocks(struct scene_import *import, char *bytes, size_t *size);
+/// Give the entities of a DXF their colours, as assimp counts them. Return the text, which may be another one by then.
+char *scene_assimp_write_dxf_colors(struct scene_import *import, char *bytes, size_t *size);
 /// Fail the import by its version if it is a Blender file that is too new for assimp. With `is_tried` fail it also for
 /// the versions of which assimp reads some files.
 void scene_assimp_refuse_blender(struct scene_import *import, bool is_tried);

@@ -143,7 +143,8 @@ char *scene_assimp_dxf(struct scene_import *import, size_t *size)
         free(text);
         return NULL;
     }
-    return scene_assimp_insert_blocks(import, scene_assimp_flatten_dxf(import, text, size), size);
+    char *const colored = scene_assimp_write_dxf_colors(import, text, size);
+    return scene_assimp_insert_blocks(import, scene_assimp_flatten_dxf(import, colored, size), size);
 }
 
 // Open bytes. Return NULL if there are none.
