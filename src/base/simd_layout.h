@@ -505,6 +505,18 @@ RHW_INLINE i32x8 i32x8_permute(i32x8 v, i32x8 lane)
 #endif
 }
 
+// Return lane lane[i], 0 .. 15, of `low` and behind it `high` in each lane.
+RHW_INLINE i32x8 i32x8_permute_two(i32x8 low, i32x8 high, i32x8 lane)
+{
+#if defined(__AVX2__)
+    // The blend reads the sign, where a shift puts the bit that is set from 8 on.
+    return (i32x8)_mm256_blendv_ps((__m256)i32x8_permute(low, lane), (__m256)i32x8_permute(high, lane),
+                                   (__m256)(lane << 28));
+#else
+    return rhw_select_int((lane << 28) >> 31, i32x8_permute(high, lane), i32x8_permute(low, lane));
+#endif
+}
+
 // Return the first lane, or the last one, in all lanes.
 RHW_INLINE i32x8 i32x8_splat_first(i32x8 v)
 {

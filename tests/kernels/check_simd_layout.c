@@ -248,6 +248,11 @@ static void run_i32x8_permute(const void *input, void *result)
     i32x8_store(result, i32x8_permute(lanes_a(input), lanes_b(input)));
 }
 
+static void run_i32x8_permute_two(const void *input, void *result)
+{
+    i32x8_store(result, i32x8_permute_two(lanes_a(input), lanes_b(input), lanes_b(input) & 15));
+}
+
 static void run_i32x8_splat_ends(const void *input, void *result)
 {
     const i32x8 ends[2] = {i32x8_splat_first(lanes_a(input)), i32x8_splat_last(lanes_a(input))};
@@ -306,6 +311,7 @@ static const struct kernel_check checks[] = {
     {"i32x8_any", sizeof(struct layout_input), 2, KERNEL_BITS, make_ints, run_i32x8_any},
     {"i32x8_widen", sizeof(struct layout_input), 2 * WORDS, KERNEL_BITS, make_ints, run_i32x8_widen},
     {"i32x8_permute", sizeof(struct layout_input), WORDS, KERNEL_BITS, make_ints, run_i32x8_permute},
+    {"i32x8_permute_two", sizeof(struct layout_input), WORDS, KERNEL_BITS, make_ints, run_i32x8_permute_two},
     {"i32x8_splat_ends", sizeof(struct layout_input), 2 * WORDS, KERNEL_BITS, make_ints,
      run_i32x8_splat_ends},
     {"i32x8_gather", sizeof(struct layout_input), WORDS, KERNEL_BITS, make_table, run_i32x8_gather},

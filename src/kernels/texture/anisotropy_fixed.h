@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Anisotropic filtering (anisotropy.h) of textures that filter_fixed.h serves. What the samples of a footprint have in
-// common is found once: the level of detail, and its two levels where all lanes have the same. Samples are added up as
-// whole numbers and divided once, so that the average is rounded once, and equal samples leave it as they are.
+// common is found once: the level of detail, its two levels where all lanes have the same, and how texels lie there
+// (axis_level.h). Samples are added up as whole numbers and divided once, so that the average is rounded once, and
+// equal samples leave it as they are.
 #ifndef RHW_ANISOTROPY_FIXED_H
 #define RHW_ANISOTROPY_FIXED_H
 
 #include "anisotropy.h"
-#include "filter_fixed.h"
+#include "axis_level.h"
 
 // Red, green, blue and alpha of the samples so far. A channel has 15 bits, and there are at most 16 samples.
 struct fixed_sums {
@@ -30,18 +31,82 @@ struct fixed_axis {
     i32x8 lod;          // level of detail, 16.16
 };
 
-// Sample lanes that have more than two levels, or a texture where footprints are not told apart.
-static __attribute__((noinline)) void sample_fixed_apart_levels(const struct rhw_binding_data *binding,
-                                                                const f32x8 at[2], const i32x8 *lod,
-                                                                enum rhw_texel_codec codec,
-                                                                enum footprint_path path,
-                                                                struct fixed_texels *sample)
+// The samples of a footprint in two levels.
+struct axis_samples {
+    int count;
+    i32x8 counts[MOST_AXIS_SAMPLES]; // −1 in the lanes that have the sample
+    struct axis_level near, far;
+};
+
+// Return the coordinates of a sample. The first has number 1.
+RHW_INLINE void sample_coordinates(const struct rhw_sampler_def *def, const f32x8 middle[2],
+                                   const struct fixed_axis *axis, f32x8 number, f32x8 at[2])
 {
-    if (codec == RHW_CODEC_SRGB8) {
-        *sample = filter_fixed_levels(binding, at[0], at[1], *lod, RHW_CODEC_SRGB8, path);
-    } else {
-        *sample = filter_fixed_levels(binding, at[0], at[1], *lod, RHW_CODEC_UNORM8, path);
+    const f32x8 along = number / axis->parts - 0.5f;
+    at[0] = fold_coordinate(def->address_u, middle[0] + axis->change[0] * along);
+    at[1] = fold_coordinate(def->address_v, middle[1] + axis->change[1] * along);
+}
+
+// Place the samples of a footprint around `middle` in the level `fine` and in the next.
+RHW_INLINE void place_samples(const struct rhw_binding_data *binding, const f32x8 middle[2],
+                              const struct fixed_axis *axis, const struct rhw_mip *fine,
+                              struct axis_samples *samples)
+{
+    const i32x8 leftmost = i32x8_splat(middle[0][RHW_LANES - 1] < middle[0][0] ? RHW_LANES - 1 : 0);
+    start_axis_level(&samples->near, leftmost);
+    start_axis_level(&samples->far, leftmost);
+    f32x8 number = rhw_splat(1.0f);
+    i32x8 counts = i32x8_splat(-1);
+    int n = 0;
+    do {
+        f32x8 at[2];
+        sample_coordinates(&binding->sampler->def, middle, axis, number, at);
+        samples->counts[n] = counts;
+        place_in_level(fine, n, at, &samples->near);
+        place_in_level(fine + 1, n, at, &samples->far);
+        n++;
+        counts = rhw_less(number, axis->count);
+        number += 1.0f;
+    } while (rhw_any(counts));
+    samples->count = n;
+}
+
+// Add up samples in the level `fine` and in the next, which has this weight.
+RHW_INLINE void add_placed_samples(const struct rhw_binding_data *binding, const struct rhw_mip *fine,
+                                   const struct axis_samples *samples, i32x8 weight,
+                                   enum rhw_texel_codec codec, struct fixed_sums *sums)
+{
+    struct fixed_texels near[MOST_AXIS_SAMPLES], far[MOST_AXIS_SAMPLES];
+    filter_axis_level(binding->sampler, fine, &samples->near, samples->count, codec, near);
+    filter_axis_level(binding->sampler, fine + 1, &samples->far, samples->count, codec, far);
+    struct fixed_sums sum = *sums; // a copy stays in registers
+    for (int n = 0; n < samples->count; n++) {
+        const struct fixed_texels sample = mix_fixed(near[n], far[n], weight, codec);
+        add_fixed(&sum, without_negation(sample, codec), samples->counts[n]);
     }
+    *sums = sum;
+}
+
+// Add up the samples of a footprint around `middle`, where lanes have other levels than two, the same ones, or where
+// footprints are not told apart.
+static __attribute__((noinline)) void add_samples_apart(const struct rhw_binding_data *binding,
+                                                        const f32x8 middle[2], const struct fixed_axis *axis,
+                                                        enum rhw_texel_codec codec, enum footprint_path path,
+                                                        struct fixed_sums *sums)
+{
+    f32x8 number = rhw_splat(1.0f);
+    i32x8 counts = i32x8_splat(-1);
+    do {
+        f32x8 at[2];
+        sample_coordinates(&binding->sampler->def, middle, axis, number, at);
+        const struct fixed_texels sample =
+            codec == RHW_CODEC_SRGB8
+                ? filter_fixed_levels(binding, at[0], at[1], axis->lod, RHW_CODEC_SRGB8, path)
+                : filter_fixed_levels(binding, at[0], at[1], axis->lod, RHW_CODEC_UNORM8, path);
+        add_fixed(sums, without_negation(sample, codec), counts);
+        counts = rhw_less(number, axis->count);
+        number += 1.0f;
+    } while (rhw_any(counts));
 }
 
 // Add up the samples of a footprint around `middle`.
@@ -49,28 +114,15 @@ RHW_INLINE void sample_fixed_axis(const struct rhw_binding_data *binding, const 
                                   const struct fixed_axis *axis, enum rhw_texel_codec codec,
                                   enum footprint_path path, struct fixed_sums *sums)
 {
-    const struct rhw_sampler_def *const def = &binding->sampler->def;
     const i32x8 weight = i32x8_halve_lower(axis->lod);
-    const bool two_levels = path == FOOTPRINTS_INTERIOR && same_two_levels(axis->lod, weight);
-    const struct rhw_mip *const fine = mip_at(binding->texture, two_levels ? axis->lod[0] >> 16 : 0);
-    f32x8 number = rhw_splat(1.0f);
-    i32x8 counts = i32x8_splat(-1);
-    do {
-        const f32x8 along = number / axis->parts - 0.5f;
-        const f32x8 at[2] = {fold_coordinate(def->address_u, middle[0] + axis->change[0] * along),
-                             fold_coordinate(def->address_v, middle[1] + axis->change[1] * along)};
-        struct fixed_texels sample;
-        if (two_levels) {
-            const struct fixed_texels a = filter_fixed(binding->sampler, fine, at[0], at[1], codec, path);
-            const struct fixed_texels b = filter_fixed(binding->sampler, fine + 1, at[0], at[1], codec, path);
-            sample = mix_fixed(a, b, weight, codec);
-        } else {
-            sample_fixed_apart_levels(binding, at, &axis->lod, codec, path, &sample);
-        }
-        add_fixed(sums, without_negation(sample, codec), counts);
-        counts = rhw_less(number, axis->count);
-        number += 1.0f;
-    } while (rhw_any(counts));
+    if (path != FOOTPRINTS_INTERIOR || !same_two_levels(axis->lod, weight)) {
+        add_samples_apart(binding, middle, axis, codec, path, sums);
+        return;
+    }
+    const struct rhw_mip *const fine = mip_at(binding->texture, axis->lod[0] >> 16);
+    struct axis_samples samples;
+    place_samples(binding, middle, axis, fine, &samples);
+    add_placed_samples(binding, fine, &samples, weight, codec, sums);
 }
 
 // Return 8.7 fixed point / (255 · 128) of an average. See fixed_to_float.

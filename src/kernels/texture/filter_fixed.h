@@ -195,6 +195,16 @@ RHW_INLINE void load_row_footprint(const struct rhw_mip *mip, i32x8 first, i32x8
     texel[3] = widen_texels(i32x8_permute(i32x8_load(below + 4), offset));
 }
 
+// Load the texels of a footprint that lies away from the edges.
+RHW_INLINE void load_interior_footprint(const struct rhw_mip *mip, i32x8 xy, enum rhw_texel_codec codec,
+                                        struct fixed_texels texel[4])
+{
+    uint32_t at[RHW_LANES];
+    spill_lanes(texel_number(xy, mip), at);
+    load_pairs(mip, 0, at, codec, &texel[0]);
+    load_pairs(mip, mip->row_pitch, at, codec, &texel[2]);
+}
+
 // One level -----------------------------------------------------------------------------------------
 
 // Filter a footprint that lies away from the edges.
@@ -215,30 +225,35 @@ RHW_INLINE struct fixed_texels filter_interior(const struct rhw_mip *mip, const 
             return mix_footprint(texel, footprint, codec);
         }
     }
-    uint32_t at[RHW_LANES];
-    spill_lanes(texel_number(footprint->xy, mip), at);
-    load_pairs(mip, 0, at, codec, &texel[0]);
-    load_pairs(mip, mip->row_pitch, at, codec, &texel[2]);
+    load_interior_footprint(mip, footprint->xy, codec, texel);
     return mix_footprint(texel, footprint, codec);
 }
 
 // Whether footprints away from the edges are told from others. It is a constant where a call names it.
 enum footprint_path { FOOTPRINTS_WRAPPED, FOOTPRINTS_INTERIOR };
 
+// Filter a footprint of a level.
+RHW_INLINE struct fixed_texels filter_footprint(const struct rhw_sampler_data *sampler,
+                                                const struct rhw_mip *mip, const struct footprint *footprint,
+                                                enum rhw_texel_codec codec, enum footprint_path path)
+{
+    if (path == FOOTPRINTS_INTERIOR && mip->interior[0] >= 0 &&
+        !i32x8_any_bit(i32x8_over_halves(footprint->xy, i32x8_load(mip->interior)))) {
+        return filter_interior(mip, footprint, codec);
+    }
+    // This is a copy, so that the footprint in registers stays there.
+    const i32x8 xy = footprint->xy;
+    struct fixed_texels texel[4];
+    load_wrapped_footprint(sampler, mip, &xy, codec, texel);
+    return mix_footprint(texel, footprint, codec);
+}
+
 RHW_INLINE struct fixed_texels filter_fixed(const struct rhw_sampler_data *sampler, const struct rhw_mip *mip,
                                             f32x8 s, f32x8 t, enum rhw_texel_codec codec,
                                             enum footprint_path path)
 {
     const struct footprint footprint = footprint_at(mip, s, t);
-    if (path == FOOTPRINTS_INTERIOR && mip->interior[0] >= 0 &&
-        !i32x8_any_bit(i32x8_over_halves(footprint.xy, i32x8_load(mip->interior)))) {
-        return filter_interior(mip, &footprint, codec);
-    }
-    // This is a copy, so that the footprint in registers stays there.
-    const i32x8 xy = footprint.xy;
-    struct fixed_texels texel[4];
-    load_wrapped_footprint(sampler, mip, &xy, codec, texel);
-    return mix_footprint(texel, &footprint, codec);
+    return filter_footprint(sampler, mip, &footprint, codec, path);
 }
 
 // Return 8.7 fixed point / (255 · 128). A number without fraction gives c / 255 correctly rounded.
