@@ -181,9 +181,10 @@ static void find_behind(const struct rhw_fragment *f, const struct scene_surface
     const float spread = (l->ior - 1.0f) * 0.025f * l->dispersion;
     rhw_float light[4];
     for (int c = 0; c < 3; c++) {
-        // Red is bent least.
+        // Red is bent least, and no light more than in a vacuum.
         if (c == 0 || spread > 0.0f) {
-            look_through(f, s, surroundings, m, l->ior + spread * (float)(c - 1), thickness, light);
+            const float index = l->ior + spread * (float)(c - 1);
+            look_through(f, s, surroundings, m, index > 1.0f ? index : 1.0f, thickness, light);
         }
         behind[c] = light[c] * m->diffuse[c] * rhw_exp2(s->attenuation[c] * thickness);
     }

@@ -311,6 +311,17 @@ static void test_transmission(void **state)
     view.background = SCENE_BACKGROUND_TRANSPARENT;
     draw_light(&t, &view, light);
     assert_true(light[1] > 0.02);
+    // Dispersion without measure bends no colour as if it were slower than light in a vacuum.
+    t.material.layers.ior = 1.6f;
+    t.material.layers.dispersion = 100;
+    for (int v = 0; v < 4; v++) {
+        t.normals[v][0] = 0.995f;
+        t.normals[v][2] = 0.1f;
+    }
+    draw_light(&t, &view, light);
+    for (int c = 0; c < 3; c++) {
+        assert_true(light[c] >= 0 && light[c] < 10);
+    }
 }
 
 // Glass that has no own light: its colour alone, with the index of air.
