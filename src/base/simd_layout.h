@@ -505,7 +505,7 @@ RHW_INLINE i32x8 i32x8_permute(i32x8 v, i32x8 lane)
 #endif
 }
 
-// Return lane lane[i], 0 .. 15, of `low` and behind it `high` in each lane.
+// Return in lane i the lane lane[i] of the 16 of `low` and then `high`. Lane numbers are 0..15.
 RHW_INLINE i32x8 i32x8_permute_two(i32x8 low, i32x8 high, i32x8 lane)
 {
 #if defined(__AVX2__)
@@ -564,16 +564,16 @@ RHW_INLINE i32x8 i32x8_gather(const void *words, i32x8 index)
 // 1.2 times as long for a gather, and begins little beside it.
 RHW_INLINE i32x8 i32x8_look_up(const void *words, i32x8 index)
 {
-#if defined(__AVX2__)
-    const int *const word = (const int *)words;
+#if defined(__AVX2__) && defined(__x86_64__)
     const __m128i half[2] = {_mm256_castsi256_si128((__m256i)index),
                              _mm256_extracti128_si256((__m256i)index, 1)};
     __m128i found[2];
     for (int i = 0; i < 2; i++) {
         const uint64_t a = (uint64_t)_mm_cvtsi128_si64(half[i]), b = (uint64_t)_mm_extract_epi64(half[i], 1);
-        found[i] =
-            _mm_unpacklo_epi64(_mm_insert_epi32(_mm_cvtsi32_si128(word[(uint32_t)a]), word[a >> 32], 1),
-                               _mm_insert_epi32(_mm_cvtsi32_si128(word[(uint32_t)b]), word[b >> 32], 1));
+        found[i] = _mm_unpacklo_epi64(_mm_insert_epi32(_mm_cvtsi32_si128(word_at(words, (uint32_t)a)),
+                                                       word_at(words, (uint32_t)(a >> 32)), 1),
+                                      _mm_insert_epi32(_mm_cvtsi32_si128(word_at(words, (uint32_t)b)),
+                                                       word_at(words, (uint32_t)(b >> 32)), 1));
     }
     return (i32x8)_mm256_inserti128_si256(_mm256_castsi128_si256(found[0]), found[1], 1);
 #else

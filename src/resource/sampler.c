@@ -79,9 +79,9 @@ static bool check_filter_state(const struct rhw_context *context, const struct r
 {
     return check_enum(context, "address_w", "rhw_address", def->address_w, RHW_ADDRESS_MIRROR_ONCE) &&
            check_enum(context, "reduction", "rhw_reduction", def->reduction, RHW_REDUCTION_MAX) &&
-           rhw_check(context, def->max_anisotropy >= 0 && def->max_anisotropy <= 16,
-                     "%s: max_anisotropy is %g; it must be 0..16", create_name,
-                     (double)def->max_anisotropy) &&
+           rhw_check(context, def->max_anisotropy >= 0 && def->max_anisotropy <= RHW_MOST_ANISOTROPY,
+                     "%s: max_anisotropy is %g; it must be 0..%d", create_name, (double)def->max_anisotropy,
+                     RHW_MOST_ANISOTROPY) &&
            rhw_check(context, def->reduction == RHW_REDUCTION_AVERAGE || !def->compares,
                      "%s: reduction is %u and compares is true; a sampler that compares averages",
                      create_name, (unsigned)def->reduction) &&

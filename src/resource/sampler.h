@@ -6,6 +6,8 @@
 #include "rhw/shader_lanes.h"
 #include "rhw/types.h"
 
+enum { RHW_MOST_ANISOTROPY = 16 }; // samples along the longer axis of a footprint
+
 struct rhw_sampler_data {
     struct rhw_sampler_def def;
     // The filters are linear, and nothing else is asked for: see filter_half.h.

@@ -9,7 +9,7 @@
 
 enum {
     // Bytes. Rows start on a cache line, so that tiles of different threads share none. Memory goes on this far behind
-    // the last texel, so that the sampler may read texels in pairs.
+    // the last texel, so that the sampler may read 17 texels from any but the last of a row.
     RHW_ROW_ALIGNMENT = 64,
     RHW_TEXEL_PADDING = 64
 };

@@ -265,8 +265,9 @@ RHW_INLINE void blend_format(const struct rhw_blend_state *state, const struct r
     }
 }
 
-// Encode values that are no NaN. Of formats with numbers of a sign this spares two of the operations for a channel.
-RHW_INLINE void encode_numbers(const struct rhw_format_info *format, const f32x8 *value,
+// Encode what was blended. A normalized format blends clamped sources with texels, all of them finite, so SNORM need
+// not ask for NaN again, which takes two operations a channel.
+RHW_INLINE void encode_blended(const struct rhw_format_info *format, const f32x8 *value,
                                struct raw_texels *raw)
 {
     if (format->type == RHW_CHANNEL_SNORM && __builtin_constant_p(format->bits[0])) {
@@ -277,7 +278,7 @@ RHW_INLINE void encode_numbers(const struct rhw_format_info *format, const f32x8
     }
 }
 
-// Blend by the usual factors, with the operations of blend_format. What a normalized format makes of it is finite.
+// Blend by the usual factors, with the operations of blend_format.
 RHW_INLINE void blend_format_over(const struct rhw_blend_state *state, const struct rhw_format_info *format,
                                   const struct texel_rows *rows)
 {
@@ -301,7 +302,7 @@ RHW_INLINE void blend_format_over(const struct rhw_blend_state *state, const str
         for (int i = 0; i < format->channels; i++) {
             result[i] = ((i == 3 ? alpha_one : color_one) ? src[i] : src[i] * src[3]) + dst[i] * keep;
         }
-        encode_numbers(format, result, &raw);
+        encode_blended(format, result, &raw);
         store_row(&all, format, &raw, texels);
     }
 }

@@ -6,8 +6,11 @@
 #define RHW_AXIS_LEVEL_H
 
 #include "filter_fixed.h"
+#include "resource/sampler.h"
 
-enum { MOST_AXIS_SAMPLES = 16 };
+enum { MOST_AXIS_SAMPLES = RHW_MOST_ANISOTROPY, LONG_ROW = 17 };
+
+_Static_assert(RHW_TEXEL_PADDING >= (LONG_ROW - 2) * 4, "a long row ends within the padding");
 
 // The footprints of the samples in a level.
 struct axis_level {
@@ -88,7 +91,7 @@ static __attribute__((noinline)) void filter_axis_level(const struct rhw_sampler
         for (int n = 0; n < count; n++) {
             const i32x8 xy = level->at[n].xy, first = i32x8_permute(xy, level->leftmost);
             load_row_footprint(mip, first, (xy - first) >> 16, texel);
-            sample[n] = mix_footprint(texel, &level->at[n], codec);
+            sample[n] = mix_footprint(texel, &level->at[n], RHW_CODEC_UNORM8);
         }
     } else if (path == AXIS_IN_LONG_ROW) {
         for (int n = 0; n < count; n++) {
@@ -96,7 +99,7 @@ static __attribute__((noinline)) void filter_axis_level(const struct rhw_sampler
             int32_t first; // from memory, which is sooner there than a lane of a register
             memcpy(&first, (const char *)&level->at[n].xy + leftmost, sizeof first);
             load_long_row_footprint(mip, (uint32_t)first, (xy - i32x8_splat(first)) >> 16, texel);
-            sample[n] = mix_footprint(texel, &level->at[n], codec);
+            sample[n] = mix_footprint(texel, &level->at[n], RHW_CODEC_UNORM8);
         }
     } else if (path == AXIS_INTERIOR) {
         for (int n = 0; n < count; n++) {
