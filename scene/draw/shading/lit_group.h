@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Lit surfaces without layers are shaded 8 groups at a time, a step of all groups before the next step. By itself a
 // group is a chain of operations that wait for each other, longer than what a processor looks ahead, while a step of
-// the next group waits for nothing. The surroundings are three steps, since one was too long to gain anything.
+// the next group waits for nothing. Without a panorama the surroundings are three steps, since one was too long to gain
+// anything.
 #ifndef SCENE_SHADERS_LIT_GROUP_H
 #define SCENE_SHADERS_LIT_GROUP_H
 

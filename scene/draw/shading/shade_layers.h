@@ -218,7 +218,7 @@ static inline void scene_layers_mirror(const struct scene_layered *m, rhw_float 
     rhw_reflect3(incident, bent, direction);
 }
 
-/// Add the surroundings, as scene_reflect_environment does, and `behind`, the light that comes through from behind.
+/// Add the surroundings, as scene_reflect_surroundings does, and `behind`, the light that comes through from behind.
 static inline void scene_layers_environment(const struct scene_layered *m,
                                             const struct scene_environment_lanes *s,
                                             const struct rhw_bindings *bindings, rhw_float occlusion,

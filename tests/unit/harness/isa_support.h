@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which instruction sets there are, for loops that ask at each of a million steps. The processor is asked once: in a
-// virtual machine one CPUID takes as long as hundreds of the calls that are tested.
+// Which instruction sets there are, for loops that ask at each of a million steps. Each file that has such loops
+// asks the processor once: in a virtual machine one CPUID takes as long as hundreds of the calls that are tested.
 #ifndef ISA_SUPPORT_H
 #define ISA_SUPPORT_H
 
