@@ -530,6 +530,16 @@ static inline bool rhw_spirv_any(const rhw_int *masks, int count)
     return rhw_any(any);
 }
 
+/// Return the first of `count` groups that has a lane in its mask, or `count`.
+static inline int rhw_spirv_first(const rhw_int *masks, int count)
+{
+    int first = 0;
+    while (first < count && !rhw_any(masks[first])) {
+        first++;
+    }
+    return first;
+}
+
 #endif
 
 RHW_QUIET_END

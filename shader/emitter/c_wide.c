@@ -90,13 +90,18 @@ static void write_wide_if(struct shader_emitter *emitter, uint32_t place)
     const bool has_else = structure->otherwise != SHADER_NONE;
     const uint32_t middle = has_else ? structure->otherwise : structure->end;
     const unsigned number = place;
-    emitter->group = structure->is_uniform ? "0" : "g";
+    if (structure->is_uniform) { // groups without a lane may not have computed the condition
+        shader_text_line(emitter->out, "const int first%u = rhw_spirv_first(lanes%u, groups_here);", number,
+                         (unsigned)before);
+    }
+    emitter->group = structure->is_uniform ? shader_format(emitter->memory, "first%u", number) : "g";
     const char *const truth = shader_c_argument(emitter, condition, false);
     emitter->group = "g";
     uint32_t inside = before, outside = before;
     if (structure->is_uniform) {
-        shader_text_line(emitter->out, "const bool is_so%u = (%s)[0] != 0; // all groups agree", number,
-                         truth);
+        shader_text_line(emitter->out,
+                         "const bool is_so%u = first%u < groups_here && (%s)[0] != 0; // all groups agree",
+                         number, number, truth);
     } else {
         inside = shader_c_new_mask(emitter);
         set_mask(emitter, inside, shader_format(emitter->memory, "lanes%u[g] & %s", (unsigned)before, truth));
@@ -112,7 +117,7 @@ static void write_wide_if(struct shader_emitter *emitter, uint32_t place)
             : shader_format(emitter->memory, "rhw_spirv_any(lanes%u, groups_here)", (unsigned)inside);
     const char *const other =
         structure->is_uniform
-            ? shader_format(emitter->memory, "!is_so%u", number)
+            ? shader_format(emitter->memory, "first%u < groups_here && !is_so%u", number, number)
             : shader_format(emitter->memory, "rhw_spirv_any(lanes%u, groups_here)", (unsigned)outside);
     shader_text_line(emitter->out, "if (%s) {", test);
     write_wide_branch(emitter, place + 1, middle, inside);

@@ -313,8 +313,8 @@ void shader_enter_list(struct shader_generator *g);
 void shader_leave_list(struct shader_generator *g);
 // Compute one function for all groups.
 void shader_call_for_groups(struct shader_generator *g, uint32_t value);
-// Let registers point to the first group.
-void shader_put_first_group(struct shader_generator *g);
+// Let registers point to the first group of the list that was written.
+void shader_put_first_listed(struct shader_generator *g);
 
 // stage.c --------------------------------------------------------------------------------------------
 

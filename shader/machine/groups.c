@@ -50,9 +50,10 @@ void shader_list_group(struct shader_generator *g, int mask)
     }
     shader_put(g, X86_MOV_STORE | X86_WIDE, X86_R15, 0,
                x86_at_index(X86_RSP, X86_R10, ENTRY_SHIFT, entries_of(g->groups.lists)));
-    shader_encode_number(&g->code, X86_RAX, 1);
     if (mask >= 0) {
         shader_put(g, X86_VMOVMSKPS, X86_RAX, 0, x86_reg(mask));
+    } else {
+        shader_encode_number(&g->code, X86_RAX, 1);
     }
     // 1 more, minus the carry of a comparison with no lane
     shader_encode(&g->code, X86_CMP_I, 0, 0, x86_reg(X86_RAX), 1);
@@ -76,15 +77,10 @@ void shader_leave_list(struct shader_generator *g)
     g->list = g->list_depth > 0 ? g->lists[g->list_depth] : 0;
 }
 
-void shader_put_first_group(struct shader_generator *g)
+void shader_put_first_listed(struct shader_generator *g)
 {
-    if (g->list > 0) {
-        put_pointer(g, X86_R15, x86_at(X86_RSP, entries_of(g->list)));
-        put_pointer(g, X86_RBX, x86_at(X86_R15, (int32_t)g->group_pointer));
-    } else {
-        put_pointer(g, X86_R15, SHADER_FRAME(together.records));
-        put_pointer(g, X86_RBX, SHADER_FRAME(together.groups));
-    }
+    put_pointer(g, X86_R15, x86_at(X86_RSP, entries_of(shader_next_list(g))));
+    put_pointer(g, X86_RBX, x86_at(X86_R15, (int32_t)g->group_pointer));
 }
 
 void shader_call_for_groups(struct shader_generator *g, uint32_t value)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The code of a stage: runs, through which one group goes after the other, and structure around barriers, which all
-// groups go through together. Masks of that have an element for each group, in its record.
+// The code of a stage: runs, through which one group goes after the other, and wide structure, around barriers, atomics
+// and steps, which all groups go through together. Masks of wide structure have an element for each group, in its
+// record.
 #include "generator.h"
 
 // Runs -----------------------------------------------------------------------------------------------
@@ -196,6 +197,17 @@ static uint32_t copy_in_all(struct shader_generator *g, uint32_t mask)
     return copy;
 }
 
+// List the groups that have a lane in a mask, and set the flag of zero where none has.
+static void list_active(struct shader_generator *g, uint32_t mask)
+{
+    shader_open_groups(
+        g, &(struct shader_groups){.is_plain = true, .is_bare = true, .lists = shader_next_list(g)});
+    shader_put(g, X86_VMOVUPS, 0, 0, shader_home_of(g, mask));
+    shader_list_group(g, 0);
+    shader_close_groups(g);
+    shader_test_list(g);
+}
+
 static void go_on_alive_in_all(struct shader_generator *g)
 {
     g->mask = and_in_all(g, g->mask, g->alive, false, false);
@@ -235,8 +247,12 @@ static void generate_wide_if(struct shader_generator *g, uint32_t place)
         inside = g->inside != SHADER_NONE ? g->inside : and_in_all(g, before, condition, false, true);
         g->inside = SHADER_NONE;
         shader_test_list(g);
-    } else { // if its groups have the condition, the first stands for all
-        shader_put_first_group(g);
+    } else {
+        if (!is_alike(g, condition)) { // groups without a lane may not have computed it
+            list_active(g, before);
+            shader_encode_jump_if(&g->code, X86_EQUAL, end);
+            shader_put_first_listed(g);
+        }
         shader_test_alike(g, condition);
     }
     shader_encode_jump_if(&g->code, X86_EQUAL, otherwise);
@@ -282,8 +298,7 @@ static void generate_wide_region(struct shader_generator *g, uint32_t place)
     const uint32_t round = is_steady ? before : copy_in_all(g, before);
     if (is_loop &&
         is_steady) { // no lane may be active, and then memory that lanes would write does not change
-        (void)and_in_all(g, before, before, false, true);
-        shader_test_list(g);
+        list_active(g, before);
         shader_encode_jump_if(&g->code, X86_EQUAL, g->ends[place]->label);
     }
     shader_label_place(&g->code, again);
@@ -296,8 +311,7 @@ static void generate_wide_region(struct shader_generator *g, uint32_t place)
             shader_encode_jump(&g->code, again);
         } else {
             change_in_all(g, X86_VMOVUPS, round, g->mask);
-            (void)and_in_all(g, round, round, false, true);
-            shader_test_list(g);
+            list_active(g, round);
             shader_encode_jump_if(&g->code, X86_NOT_EQUAL, again);
         }
     }

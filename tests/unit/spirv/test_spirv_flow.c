@@ -3,6 +3,7 @@
 #include "patience.h"
 #include "spirv_run.h"
 
+#include "discarded_groups_frag.h"
 #include "discards_frag.h"
 #include "alike_comp.h"
 #include "alike_comp_small.h"
@@ -348,6 +349,42 @@ static void test_discarded_lanes_do_no_more(void **state)
     rhw_shader_program_destroy(program);
 }
 
+// The first groups of a draw have no fragment left, so that another has to say which way all go.
+static void check_discarded_groups(float limit, int32_t rounds)
+{
+    rhw_shader_program *const program =
+        spirv_link(SPIRV_CREATE(plain_vert, RHW_SHADER_VERTEX),
+                   SPIRV_CREATE(discarded_groups_frag, RHW_SHADER_FRAGMENT), NULL);
+    const struct rig_vertex triangle[3] = {{{-1, -1, 0, 1}, {0, limit, 0, 1}},
+                                           {{5, -1, 0, 1}, {0, limit, 0, 1}},
+                                           {{-1, 5, 0, 1}, {0, limit, 0, 1}}};
+    uint32_t counts[2] = {0, 0};
+    const struct rhw_binding binding = spirv_memory(counts, sizeof counts);
+    const struct {
+        float scale;
+        int32_t rounds;
+    } push = {1, rounds};
+    const struct rhw_shader_frame frame = {
+        .sets = {&binding}, .push_constants = &push, .push_size = sizeof push};
+    struct rig rig;
+    rig_open(&rig, 16, 16);
+    spirv_draw(&rig, program, triangle, 3, &frame);
+    const uint32_t left = 16 * (16 - (uint32_t)limit);
+    assert_int_equal(counts[0], rounds > 3 ? left : 0);
+    assert_int_equal(counts[1], rounds > 3 ? 0 : left);
+    rig_close(&rig);
+    rhw_shader_program_destroy(program);
+}
+
+static void test_groups_without_fragments_decide_nothing(void **state)
+{
+    (void)state;
+    for (int limit = 0; limit <= 16; limit += 4) {
+        check_discarded_groups((float)limit, 5);
+        check_discarded_groups((float)limit, 2);
+    }
+}
+
 static uint32_t leave(float which, int32_t skipped)
 {
     rhw_shader_program *const program = spirv_link(NULL, NULL, SPIRV_CREATE(leave_comp, RHW_SHADER_COMPUTE));
@@ -386,6 +423,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_covered_lanes_share_what_all_have_alike),
     cmocka_unit_test(test_groups_without_lanes_do_not_wait),
     cmocka_unit_test(test_discarded_lanes_do_no_more),
+    cmocka_unit_test(test_groups_without_fragments_decide_nothing),
     cmocka_unit_test(test_all_lanes_may_leave_at_once),
 };
 
