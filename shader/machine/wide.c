@@ -254,6 +254,7 @@ static void generate_wide_if(struct shader_generator *g, uint32_t place)
             shader_put_first_listed(g);
         }
         shader_test_alike(g, condition);
+        shader_forget_registers(g);
     }
     shader_encode_jump_if(&g->code, X86_EQUAL, otherwise);
     generate_branch(g, place + 1, middle, inside, parts);

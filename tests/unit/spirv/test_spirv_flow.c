@@ -8,6 +8,8 @@
 #include "alike_comp.h"
 #include "alike_comp_small.h"
 #include "alike_frag.h"
+#include "changing_comp.h"
+#include "constant_way_comp.h"
 #include "counters_comp.h"
 #include "counters_comp_small.h"
 #include "endless_work_comp.h"
@@ -385,6 +387,44 @@ static void test_groups_without_fragments_decide_nothing(void **state)
     }
 }
 
+enum { NUMBERS = 2 + 64 };
+
+static void run_rounds(rhw_shader *shader, bool is_interpreted, float numbers[NUMBERS])
+{
+    const struct rhw_shader_program_def def = {.compute = shader, .is_interpreted = is_interpreted};
+    rhw_shader_program *program;
+    assert_int_equal(rhw_shader_program_create(&def, &program, NULL), RHW_OK);
+    for (int i = 0; i < NUMBERS; i++) {
+        numbers[i] = i < 2 ? 0 : 0.75f * (float)i;
+    }
+    const int32_t rounds = 5;
+    const struct rhw_binding binding = spirv_memory(numbers, NUMBERS * sizeof *numbers);
+    const struct rhw_shader_frame frame = {
+        .sets = {&binding}, .push_constants = &rounds, .push_size = sizeof rounds};
+    struct rig rig;
+    rig_open(&rig, 4, 4);
+    assert_int_equal(spirv_dispatch(&rig, program, &frame, 1), RHW_OK);
+    rig_close(&rig);
+    rhw_shader_program_destroy(program);
+}
+
+static void check_rounds(rhw_shader *shader)
+{
+    float numbers[NUMBERS], expected[NUMBERS];
+    run_rounds(shader, false, numbers);
+    run_rounds(shader, true, expected);
+    assert_memory_equal(numbers, expected, sizeof expected);
+    assert_true(expected[NUMBERS - 1] != 0.75f * (NUMBERS - 1));
+    rhw_shader_destroy(shader);
+}
+
+static void test_rounds_of_all_groups_share_what_changes(void **state)
+{
+    (void)state;
+    check_rounds(SPIRV_CREATE(changing_comp, RHW_SHADER_COMPUTE));
+    check_rounds(SPIRV_CREATE(constant_way_comp, RHW_SHADER_COMPUTE));
+}
+
 static uint32_t leave(float which, int32_t skipped)
 {
     rhw_shader_program *const program = spirv_link(NULL, NULL, SPIRV_CREATE(leave_comp, RHW_SHADER_COMPUTE));
@@ -424,6 +464,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_groups_without_lanes_do_not_wait),
     cmocka_unit_test(test_discarded_lanes_do_no_more),
     cmocka_unit_test(test_groups_without_fragments_decide_nothing),
+    cmocka_unit_test(test_rounds_of_all_groups_share_what_changes),
     cmocka_unit_test(test_all_lanes_may_leave_at_once),
 };
 
