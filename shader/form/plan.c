@@ -217,7 +217,7 @@ static bool find_steps(struct shader_memory *memory, struct shader_plan *plan)
     const struct shader_program *const form = plan->form;
     uint32_t *const ready = shader_take(memory, form->node_count, sizeof *ready);
     uint32_t *const stack = shader_take(memory, SHADER_MAX_DEPTH + 2, sizeof *stack);
-    uint32_t depth = 0, first = 0, loop = 0, apart = 0;
+    uint32_t depth = 0, first = 0, loop = SHADER_NONE, apart = 0;
     bool has_inner = false;
     for (uint32_t i = 0; i < form->code_count && !plan->loses_lanes; i++) {
         const enum shader_op op = shader_op_at(plan, i);
@@ -236,11 +236,11 @@ static bool find_steps(struct shader_memory *memory, struct shader_plan *plan)
         const uint32_t *const operands = operands_at(plan, i, &count);
         for (uint32_t o = 0; o < count; o++) {
             const uint32_t at = plan->place[operands[o]];
-            const bool is_near =
-                at != SHADER_NONE && at >= first && at >= loop && !plan->is_hoisted[operands[o]];
+            const bool is_near = at != SHADER_NONE && at >= first && (loop == SHADER_NONE || at >= loop) &&
+                                 !plan->is_hoisted[operands[o]];
             start = is_near && ready[operands[o]] > start ? ready[operands[o]] : start;
         }
-        const bool may_stand = depth == 0 || (apart == 0 && loop > 0);
+        const bool may_stand = depth == 0 || (apart == 0 && loop != SHADER_NONE);
         const bool is_for_groups = is_function_of_groups(plan, i);
         if (may_stand && is_mathematics(op) && !is_uniform(plan, form->code[i]) &&
             start >= (is_for_groups ? WORTH_A_CALL : WORTH_A_STEP)) {
@@ -257,8 +257,11 @@ static bool find_steps(struct shader_memory *memory, struct shader_plan *plan)
 
 bool shader_is_decided(const struct shader_plan *plan, uint32_t place)
 {
+    if (!plan->has_steps || place == 0 || place >= plan->form->code_count) {
+        return false;
+    }
     if (shader_op_at(plan, place) != SHADER_IF || !plan->structures[place].is_wide ||
-        plan->structures[place].is_uniform || !plan->has_steps || place == 0) {
+        plan->structures[place].is_uniform) {
         return false;
     }
     const uint32_t condition = plan->form->nodes[plan->form->code[place]].operands[0];

@@ -9,7 +9,8 @@
 //
 // A group by itself may be one long chain of operations that wait for each other. A step ends a run in front of a
 // function that would wait long, so that the processor computes it of many groups at the same time. A loop around a
-// step is wide, so each of its rounds is done for all groups: what they share is computed between runs, once.
+// step is wide, so each of its rounds is done for all groups: what they share is computed between runs, once. What is
+// joint in order stays where it stands, between two runs, and so does a function that one call computes for all groups.
 #ifndef SHADER_PLAN_H
 #define SHADER_PLAN_H
 
@@ -31,8 +32,8 @@ struct shader_plan {
     struct shader_structure *structures; // by place
     uint32_t *place;                     // by value: where it stands in the code, or SHADER_NONE
     uint32_t *block;                     // by place: number of the block around it
-    uint32_t *run;       // by place: number of the run, or SHADER_NONE at cuts and wide structure
-    bool *is_step;       // by place: a run begins here, for speed
+    uint32_t *run; // by place: its number, or SHADER_NONE at barriers, wide structure, what is joint in order
+    bool *is_step; // by place: a run begins here, for speed
     bool *is_for_groups; // by place: a step that is one function of a kept value, for all groups in one call
     uint32_t *uses, *last_use; // by value: how often it is read, and a place where it is read
     bool *is_hoisted;          // by value: it is computed once a call
