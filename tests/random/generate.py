@@ -63,10 +63,11 @@ class Program:
         self.is_pure = not self.is_compute and self.random.random() < 0.5  # it leaves a colour alone
         self.size = self.random.choice((1, 8, 20, 32, 64, 136))
         self.has_barriers = self.is_compute and self.random.random() < 0.4
-        self.is_ordered = self.is_compute and self.random.random() < 0.2
+        self.is_ordered = self.random.random() < (0.2 if self.is_compute else 0.6)  # what atomics return shows
         # Groups go through its code in steps, in loops too: no invocation leaves by itself, and none has arrays.
         self.has_steps = self.random.random() < 0.4
         self.counters = []  # of loops around that all invocations go through together
+        self.breaks = 0  # out of a loop, by some invocations alone
         self.lines = []
         self.names = 0
         self.scopes = [[]]
@@ -186,9 +187,11 @@ class Program:
 
     def uniform(self):
         """A number that all invocations agree on."""
-        if self.counters and self.random.random() < 0.5:
-            return f'{self.random.choice(self.counters)} + {self.random.randrange(3)}'
-        return self.pick('push.count & 3', f'wholes[{self.random.randrange(8)}].x & 3', '2')
+        counters = self.counters + self.variables('counter')
+        if counters and self.random.random() < 0.5:
+            return f'{self.random.choice(counters)} + {self.random.randrange(3)}'
+        return self.pick('push.count & 3', f'wholes[{self.random.randrange(8)}].x & 3', '2',
+                         f'(push.count & 0) + {self.random.randrange(3)}')
 
     # Statements
 
@@ -208,6 +211,8 @@ class Program:
                    'share': 3 if self.has_barriers else 0}
         if self.depth > 4:
             weights.update(branch=0, loop=0, choose=0)
+        if self.is_ordered and not self.is_compute:
+            weights.update(leave=3, loop=4 if self.depth < 3 else 0, count=0 if self.is_pure else 3)
         if self.has_steps:
             weights.update(array=0, choose=0, chain=8 if self.counters else 1, loop=2.5 * weights['loop'])
         kind = self.random.choices(list(weights), list(weights.values()))[0]
@@ -242,6 +247,7 @@ class Program:
         self.loops += 1
         switches, self.switches = self.switches, 0
         is_shared = is_uniform and self.is_uniform and not self.in_function
+        breaks = self.breaks
         self.counters += [name] if is_shared else []
         if form == 0 and is_shared:
             self.write_rounds(name, count)
@@ -261,6 +267,8 @@ class Program:
         self.switches = switches
         self.loops -= 1
         self.scopes[-2] += [(kind, n) for kind, n in self.scopes[-1] if form > 0]
+        if form > 0 and is_shared and self.breaks == breaks:  # those that come out have counted alike
+            self.scopes[-2].append(('counter', name))
         self.scopes.pop()
 
     def write_rounds(self, name, count):
@@ -324,11 +332,18 @@ class Program:
             if self.is_uniform and self.counters:
                 self.line(f'if (({self.uniform()}) > {self.random.randrange(3)}) {{ {self.pick("break", "continue")}; }}')
         elif ways and self.depth > 1:
-            self.line(f'if ({self.expression("bool", 2)}) {{ {self.random.choice(ways)}; }}')
+            way = self.random.choice(ways)
+            self.breaks += way == 'break'
+            self.line(f'if ({self.expression("bool", 2)}) {{ {way}; }}')
 
     def write_count(self):
         if self.is_ordered and not self.in_function and self.random.random() < 0.5:
             value = self.expression('uint', 1)
+            if not self.is_compute:  # a derivative would read what the partner pixel gets
+                condition = f'if (({self.uniform()}) > 1) ' if self.random.random() < 0.7 else ''
+                place = f'own[{OWN} * self() + {self.random.randrange(OWN)}]'
+                self.line(f'{condition}{{ {place} = atomicAdd(counters[7], {value}); }}')
+                return
             operation = self.pick('atomicAdd(counters[7]', 'atomicExchange(counters[8]',
                                   f'atomicCompSwap(counters[9], {self.expression("uint", 1)}')
             self.line(f'uint {self.new_name("uint")} = {operation}, {value});')
