@@ -26,7 +26,7 @@ static const double known[][3] = {
 struct record {
     bool is_layer, is_drawn;
     struct scene_word name, number; // its name or its layer's, and the colour's number as it is written
-    const char *behind_layer;       // where the pair of its layer ends; NULL where it has none
+    const char *behind;             // where its first pair ends; NULL where that is no end of a line
     long color, true_color;         // −1 where it has none
 };
 
@@ -34,8 +34,8 @@ struct work {
     struct scene_import *import;
     struct scene_edits edits;
     struct scene_x3d_names layers; // `at` is the number for assimp
-    const char *text, *end;
-    bool is_section, is_tables, is_entities; // entities stand in blocks as well
+    const char *text;
+    bool is_section, is_tables, is_entities, is_blocks; // entities stand in blocks as well
     struct record record;
 };
 
@@ -115,8 +115,13 @@ static struct scene_collada_value name_of(struct scene_word word)
 static void end_entity(struct work *work)
 {
     const struct record *const record = &work->record;
+    const bool is_of_insertion =
+        work->is_blocks && (record->name.length == 0 || scene_word_is(record->name, "0"));
     size_t number = FIRST;
-    if (!number_of(work, &number) && record->name.length > 0) {
+    const bool has_own = number_of(work, &number);
+    if (!has_own && is_of_insertion) {
+        number = 0;
+    } else if (!has_own && record->name.length > 0) {
         const struct scene_x3d_name *const layer = scene_x3d_find_name(&work->layers, name_of(record->name));
         number = layer == NULL ? FIRST : layer->at;
     }
@@ -125,10 +130,9 @@ static void end_entity(struct work *work)
         snprintf(text, sizeof text, "%zu", number);
         scene_edits_add_string(work->import, &work->edits, (size_t)(record->number.start - work->text),
                                record->number.length, text);
-    } else if (number < FIRST && record->behind_layer != NULL) {
+    } else if (number < FIRST && record->behind != NULL) {
         snprintf(text, sizeof text, "62\n%zu\n", number);
-        scene_edits_add_string(work->import, &work->edits, (size_t)(record->behind_layer - work->text), 0,
-                               text);
+        scene_edits_add_string(work->import, &work->edits, (size_t)(record->behind - work->text), 0, text);
     }
 }
 
@@ -143,39 +147,39 @@ static void end_record(struct work *work)
     }
 }
 
-static void begin_record(struct work *work, const struct scene_dxf_pair *pair)
+// Begin a record behind whose first pair `behind` is.
+static void begin_record(struct work *work, const struct scene_dxf_pair *pair, const char *behind)
 {
     static const char *const drawn[] = {"LINE", "3DFACE",  "POLYLINE", "LWPOLYLINE", "CIRCLE",
                                         "ARC",  "ELLIPSE", "SOLID",    "TRACE",      "INSERT"};
     end_record(work);
     work->is_section = scene_dxf_begins(pair, "SECTION");
     if (scene_dxf_begins(pair, "ENDSEC")) {
-        work->is_tables = work->is_entities = false;
+        work->is_tables = work->is_entities = work->is_blocks = false;
     }
-    work->record = (struct record){
-        .is_layer = work->is_tables && scene_dxf_begins(pair, "LAYER"), .color = -1, .true_color = -1};
+    work->record = (struct record){.is_layer = work->is_tables && scene_dxf_begins(pair, "LAYER"),
+                                   .behind = behind[-1] == '\n' || behind[-1] == '\r' ? behind : NULL,
+                                   .color = -1,
+                                   .true_color = -1};
     for (size_t i = 0; i < sizeof drawn / sizeof drawn[0] && work->is_entities; i++) {
         work->record.is_drawn = work->record.is_drawn || scene_dxf_begins(pair, drawn[i]);
     }
 }
 
-static void read_pair(struct work *work, const struct scene_dxf_pair *pair)
+// Read a pair behind which `behind` is.
+static void read_pair(struct work *work, const struct scene_dxf_pair *pair, const char *behind)
 {
     enum { NAME = 2, LAYER = 8, COLOR = 62, TRUE_COLOR = 420 };
     struct record *const record = &work->record;
     if (pair->code == 0) {
-        begin_record(work, pair);
+        begin_record(work, pair, behind);
     } else if (pair->code == NAME && work->is_section) {
         work->is_tables = scene_word_is(pair->value, "TABLES");
-        work->is_entities = scene_word_is(pair->value, "ENTITIES") || scene_word_is(pair->value, "BLOCKS");
+        work->is_blocks = scene_word_is(pair->value, "BLOCKS");
+        work->is_entities = work->is_blocks || scene_word_is(pair->value, "ENTITIES");
         work->is_section = false;
-    } else if (pair->code == NAME && record->is_layer) {
+    } else if ((pair->code == NAME && record->is_layer) || (pair->code == LAYER && record->is_drawn)) {
         record->name = pair->line;
-    } else if (pair->code == LAYER && record->is_drawn) {
-        const char *const behind = pair->line.start + pair->line.length;
-        const char *const line_end = memchr(behind, '\n', (size_t)(work->end - behind));
-        record->name = pair->line;
-        record->behind_layer = line_end == NULL ? NULL : line_end + 1;
     } else if (pair->code == COLOR && (record->is_layer || record->is_drawn)) {
         record->number = pair->value;
         const long color = strtol(pair->value.start, NULL, 10);
@@ -187,12 +191,17 @@ static void read_pair(struct work *work, const struct scene_dxf_pair *pair)
 
 char *scene_assimp_write_dxf_colors(struct scene_import *import, char *text, size_t *size)
 {
-    struct work work = {.import = import, .text = text, .end = text + *size};
     struct scene_text lines = scene_text_open(import, text, *size);
+    if (lines.end != text + *size) { // UTF-16, which was converted
+        free(text);
+        text = lines.cursor;
+        *size = (size_t)(lines.end - lines.cursor);
+    }
+    struct work work = {.import = import, .text = text};
     struct scene_dxf_pair pair;
     work.record.color = work.record.true_color = -1;
     while (scene_dxf_read_pair(&lines, &pair)) {
-        read_pair(&work, &pair);
+        read_pair(&work, &pair, lines.cursor);
     }
     end_record(&work);
     scene_x3d_free_names(&work.layers);

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Colours of a DXF: those of entities, of their layers and of insertions, by number and true ones.
+#include <stdio.h>
+#include <string.h>
+
 #include "model_files.h"
 
 #define SECTION(name, pairs) "0\nSECTION\n2\n" name "\n" pairs "0\nENDSEC\n"
@@ -7,8 +10,42 @@
     "0\n3DFACE\n" pairs "10\n0\n20\n0\n30\n0\n11\n1\n21\n0\n31\n0\n12\n1\n22\n1\n32\n0\n13\n0\n23\n1\n33\n" \
     "0\n"
 #define LAYER(pairs) SECTION("TABLES", "0\nTABLE\n2\nLAYER\n0\nLAYER\n2\na l\n" pairs "0\nENDTAB\n")
+#define LAYERS       LAYER("62\n2\n0\nLAYER\n2\n0\n62\n1\n")
+
+#define BLOCK(entity) SECTION("BLOCKS", "0\nBLOCK\n2\nb\n10\n0\n20\n0\n30\n0\n" entity "0\nENDBLK\n")
+#define INSERT(pairs) SECTION("ENTITIES", "0\nINSERT\n2\nb\n" pairs "10\n0\n20\n0\n30\n0\n")
 
 static const char near[] = "colours (DXF): drawn in the nearest of sixteen";
+
+enum spelling { WITH_FEEDS, WITH_RETURNS, WITH_BOTH, LITTLE_UTF_16, BIG_UTF_16, SPELLINGS };
+
+// Write a drawing whose lines end as one of many programs writes them, or in words of two bytes behind a mark.
+static void write_spelled(const char *text, enum spelling spelling)
+{
+    char bytes[4096];
+    size_t size = 0;
+    const bool is_wide = spelling == LITTLE_UTF_16 || spelling == BIG_UTF_16;
+    assert_true(2 * strlen(text) + 2 < sizeof bytes);
+    if (is_wide) {
+        bytes[size++] = spelling == BIG_UTF_16 ? '\xfe' : '\xff';
+        bytes[size++] = spelling == BIG_UTF_16 ? '\xff' : '\xfe';
+    }
+    for (const char *c = text; *c != 0; c++) {
+        if (*c == '\n' && (spelling == WITH_RETURNS || spelling == WITH_BOTH)) {
+            bytes[size++] = '\r';
+        }
+        if (spelling == BIG_UTF_16) {
+            bytes[size++] = 0;
+        }
+        if (*c != '\n' || spelling != WITH_RETURNS) {
+            bytes[size++] = *c;
+        }
+        if (spelling == LITTLE_UTF_16) {
+            bytes[size++] = 0;
+        }
+    }
+    write_bytes("c.dxf", bytes, size);
+}
 
 static void test_colors(void **state)
 {
@@ -38,20 +75,29 @@ static void test_colors(void **state)
         {LAYER("62\n2\n") SECTION("ENTITIES", "0\nCIRCLE\n8\na l\n10\n0\n20\n0\n30\n0\n40\n2\n"),
          {1, 1, 0},
          false},
-        {SECTION("BLOCKS", "0\nBLOCK\n2\nb\n10\n0\n20\n0\n30\n0\n" FACE("8\n0\n62\n0\n") "0\nENDBLK\n")
-             SECTION("ENTITIES", "0\nINSERT\n2\nb\n8\n0\n62\n6\n10\n0\n20\n0\n30\n0\n"),
-         {1, 0, 1},
-         false},
+        {BLOCK(FACE("8\n0\n62\n0\n")) INSERT("8\n0\n62\n6\n"), {1, 0, 1}, false},
+        {LAYERS BLOCK(FACE("8\n0\n")) INSERT("8\na l\n"), {1, 1, 0}, false},
+        {LAYERS BLOCK(FACE("8\n0\n62\n256\n")) INSERT("8\na l\n62\n6\n"), {1, 0, 1}, false},
+        {LAYERS BLOCK(FACE("")) INSERT("8\na l\n"), {1, 1, 0}, false},
+        {LAYERS BLOCK(FACE("8\n0\n62\n3\n")) INSERT("8\na l\n"), {0, 1, 0}, false},
+        {LAYERS BLOCK(FACE("8\na l\n")) INSERT("8\n0\n62\n6\n"), {1, 1, 0}, false},
+        {LAYERS BLOCK(FACE("8\n0\n")) INSERT("8\n0\n"), {1, 0, 0}, false},
+        {LAYERS BLOCK(FACE("8\n0\n")) INSERT("8\nother\n"), {0.3185f, 0.3185f, 0.3185f}, false},
     };
-    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
-        write_format("c.dxf", "%s0\nEOF\n", cases[i].text);
+    const size_t count = sizeof cases / sizeof cases[0];
+    for (size_t each = 0; each < count * SPELLINGS; each++) {
+        const size_t i = each / SPELLINGS;
+        char text[2048];
+        snprintf(text, sizeof text, "%s0\nEOF\n", cases[i].text);
+        write_spelled(text, (enum spelling)(each % SPELLINGS));
         struct scene_model *const model = load("c.dxf");
         const struct scene_mesh *const mesh = &model->meshes[model->instances[0].mesh];
         assert_non_null(mesh->colors);
         for (int c = 0; c < 3; c++) {
             const float difference = mesh->colors[0][c] - cases[i].color[c];
             if (difference > 1e-3f || difference < -1e-3f) {
-                fail_msg("case %zu: %d is %g", i, c, (double)mesh->colors[0][c]);
+                fail_msg("case %zu, spelling %zu: %d is %g", i, each % SPELLINGS, c,
+                         (double)mesh->colors[0][c]);
             }
         }
         assert_int_equal(model->unsupported_count, cases[i].is_near);
