@@ -5,17 +5,21 @@
 #include "assimp.h"
 #include "collada_markup.h"
 #include "edits.h"
+#include "import/builder/decimal.h"
 #include "import/builder/import.h"
 #include "x3d_names.h"
 
+#include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
 
-// A parameter, and the text between the tags of its type.
+enum { CHANNELS = 4, LONGEST = 64 }; // numbers of a colour, and bytes of one
+
+// A parameter, and the numbers that it begins with, none where it has other values.
 struct parameter {
-    struct scene_collada_value name, value;
+    struct scene_collada_value name, numbers[CHANNELS];
+    size_t number_count;
     const char *start, *last; // the < and the > of the element
-    bool is_free;             // it stands outside of all profiles
 };
 
 struct parameters {
@@ -27,7 +31,7 @@ struct parameters {
 struct effect {
     char *start, *last; // from its < to its >
     struct scene_collada_value id;
-    struct parameters parameters;
+    struct parameters common, free; // parameters of the common profile, and ones outside of all profiles
 };
 
 struct effects {
@@ -38,12 +42,23 @@ struct effects {
 
 struct out {
     struct scene_import *import;
+    size_t *left; // bytes that all effects may become together, 0 once they would be more
     char *text;
     size_t size, capacity;
 };
 
+static bool is_full(const struct out *out)
+{
+    return *out->left == 0;
+}
+
 static void add_bytes(struct out *out, const char *bytes, size_t size)
 {
+    if (size >= *out->left) {
+        *out->left = 0;
+        return;
+    }
+    *out->left -= size;
     scene_import_reserve(out->import, &out->text, &out->capacity, out->size + size + 1, 1);
     memcpy(out->text + out->size, bytes, size);
     out->size += size;
@@ -78,6 +93,42 @@ static bool is_number_type(const char *tag)
     return is_type;
 }
 
+// Return true for a number that assimp reads, which fails a file at another one.
+static bool is_short_number(const char *text, size_t length)
+{
+    const char *const digits = text + (*text == '-' || *text == '+');
+    const bool has_digit =
+        isdigit((unsigned char)digits[0]) || (digits[0] == '.' && isdigit((unsigned char)digits[1]));
+    double value;
+    return has_digit && length <= LONGEST && scene_decimal_read(text, text + length, &value) == text + length;
+}
+
+// Take the numbers that a text begins with, up to those of a colour. Take none where something else is among them.
+static void read_numbers(struct parameter *parameter, char *text)
+{
+    parameter->number_count = 0;
+    while (parameter->number_count < CHANNELS) {
+        text += strspn(text, " \t\r\n");
+        const size_t length = strcspn(text, " \t\r\n<");
+        if (length == 0) {
+            return;
+        }
+        if (!is_short_number(text, length)) {
+            parameter->number_count = 0;
+            return;
+        }
+        parameter->numbers[parameter->number_count++] = (struct scene_collada_value){text, length};
+        text += length;
+    }
+}
+
+// Return true for a tag in front of which all parameters end.
+static bool is_beyond(const char *tag)
+{
+    return scene_collada_is_tag(tag, "instance_effect") || scene_collada_is_end(tag, "instance_effect") ||
+           scene_collada_is_end(tag, "effect");
+}
+
 // Read the parameter whose start tag is at `tag`. Return the > at its end, or NULL if it has none.
 static char *read_parameter(char *tag, char *close, const char *end, const char *element,
                             struct parameter *parameter)
@@ -85,7 +136,7 @@ static char *read_parameter(char *tag, char *close, const char *end, const char 
     parameter->start = tag;
     for (char *c = strchr(close, '<'), *last; c != NULL && close[-1] != '/'; c = strchr(last, '<')) {
         last = scene_collada_markup_end(c, end);
-        if (last == NULL) {
+        if (last == NULL || is_beyond(c)) {
             return NULL;
         }
         if (scene_collada_is_end(c, element)) {
@@ -93,7 +144,7 @@ static char *read_parameter(char *tag, char *close, const char *end, const char 
             return last;
         }
         if (is_number_type(c) && last[-1] != '/') {
-            parameter->value = (struct scene_collada_value){last + 1, strcspn(last + 1, "<")};
+            read_numbers(parameter, last + 1);
         }
     }
     return NULL;
@@ -113,6 +164,7 @@ static void add_parameter(struct scene_import *import, struct parameters *parame
 static char *read_effect(struct scene_import *import, char *close, const char *end, struct effect *effect)
 {
     size_t profiles = 0;
+    bool is_common = false;
     char *last;
     for (char *c = strchr(close, '<'); c != NULL; c = strchr(last, '<')) {
         last = scene_collada_markup_end(c, end);
@@ -123,43 +175,33 @@ static char *read_effect(struct scene_import *import, char *close, const char *e
         const bool is_end = c[1] == '/';
         if (strncmp(c + 1 + is_end, "profile_", strlen("profile_")) == 0 && last[-1] != '/') {
             profiles += is_end ? (size_t)-1 : 1;
+            is_common = scene_collada_is_tag(c, "profile_COMMON");
         }
         if (scene_collada_is_tag(c, "newparam")) {
-            struct parameter parameter = {.name = scene_collada_attribute(c, last, "sid"),
-                                          .is_free = profiles == 0};
+            struct parameter parameter = {.name = scene_collada_attribute(c, last, "sid")};
             last = read_parameter(c, last, end, "newparam", &parameter);
             if (last == NULL) {
                 return NULL;
             }
-            add_parameter(import, &effect->parameters, parameter);
+            if (is_common || profiles == 0) {
+                add_parameter(import, is_common ? &effect->common : &effect->free, parameter);
+            }
         }
     }
     return NULL;
 }
 
-// Write the value of a parameter as a colour, or as a number where the element that it is for has one.
-static void write_value(struct out *out, struct scene_collada_value value, bool is_number)
+// Write the numbers of a parameter as a colour, or the first where the element that they are for has one.
+static void write_value(struct out *out, const struct parameter *parameter, bool is_number)
 {
-    size_t count = 0;
-    const char *text = value.text, *const end = value.text + value.length;
     add_text(out, is_number ? "<float>" : "<color>");
-    while (count < (is_number ? 1 : 4)) {
-        while (text < end && scene_collada_is_blank(*text)) {
-            text++;
+    for (size_t i = 0; i < (is_number ? 1 : CHANNELS); i++) {
+        if (i < parameter->number_count) {
+            add_bytes(out, parameter->numbers[i].text, parameter->numbers[i].length);
+            add_text(out, " ");
+        } else {
+            add_text(out, i < 3 ? "0 " : "1 ");
         }
-        const char *const start = text;
-        while (text < end && !scene_collada_is_blank(*text)) {
-            text++;
-        }
-        if (text == start) {
-            break;
-        }
-        add_bytes(out, start, (size_t)(text - start));
-        add_text(out, " ");
-        count++;
-    }
-    for (; !is_number && count < 4; count++) {
-        add_text(out, count < 3 ? "0 " : "1 ");
     }
     add_text(out, is_number ? "</float>" : "</color>");
 }
@@ -181,24 +223,22 @@ static bool is_channel(const char *tag, bool *is_number)
     return is_color || *is_number;
 }
 
-// Return the value that a material has for a parameter of its effect. Its text is NULL where none is known.
-static struct scene_collada_value value_of(const struct effect *effect, const struct parameters *set,
-                                           struct scene_collada_value name)
+// Return the parameter of a material that has a name, the innermost one that sets it. Return NULL where it is not known
+// or without numbers.
+static const struct parameter *find_value(const struct effect *effect, const struct parameters *set,
+                                          struct scene_collada_value name)
 {
     const struct parameter *parameter = set == NULL ? NULL : find_parameter(set, name);
-    if (parameter == NULL || parameter->value.text == NULL) {
-        parameter = find_parameter(&effect->parameters, name);
-    }
-    return parameter == NULL ? (struct scene_collada_value){0} : parameter->value;
+    parameter = parameter != NULL ? parameter : find_parameter(&effect->common, name);
+    parameter = parameter != NULL ? parameter : find_parameter(&effect->free, name);
+    return parameter == NULL || parameter->number_count == 0 ? NULL : parameter;
 }
 
 static void write_free_parameters(struct out *out, const struct effect *effect)
 {
-    for (size_t i = 0; i < effect->parameters.count; i++) {
-        const struct parameter *const parameter = &effect->parameters.list[i];
-        if (parameter->is_free) {
-            add_bytes(out, parameter->start, (size_t)(parameter->last + 1 - parameter->start));
-        }
+    for (size_t i = 0; i < effect->free.count && !is_full(out); i++) {
+        const struct parameter *const parameter = &effect->free.list[i];
+        add_bytes(out, parameter->start, (size_t)(parameter->last + 1 - parameter->start));
     }
 }
 
@@ -211,26 +251,25 @@ static char *reference_end(char *last, const char *end)
     return next_end != NULL ? next_end : last;
 }
 
-// Write an effect without references to colours and numbers. Return true if that changed it. `set` has what a material
-// sets otherwise.
-static bool write_effect(struct out *out, const struct effect *effect, const struct parameters *set)
+// Write an effect without references to colours and numbers, from `done` on. Return true if that changed it. `set` has
+// what a material sets otherwise.
+static bool write_effect(struct out *out, const struct effect *effect, const struct parameters *set,
+                         const char *done)
 {
     const char *const end = effect->last + 1;
-    const char *done = effect->start;
     bool has_changed = false, is_number = false, is_in_channel = false;
     size_t next_free = 0;
     char *last;
-    for (char *c = effect->start; c != NULL && c < end; c = strchr(last, '<')) {
+    for (char *c = effect->start; c != NULL && c < end && !is_full(out); c = strchr(last, '<')) {
         last = scene_collada_markup_end(c, end);
         if (last == NULL) {
             break;
         }
-        while (next_free < effect->parameters.count &&
-               (!effect->parameters.list[next_free].is_free || effect->parameters.list[next_free].last < c)) {
+        while (next_free < effect->free.count && effect->free.list[next_free].last < c) {
             next_free++;
         }
         const struct parameter *const parameter =
-            next_free < effect->parameters.count ? &effect->parameters.list[next_free] : NULL;
+            next_free < effect->free.count ? &effect->free.list[next_free] : NULL;
         bool is_now_number;
         if (parameter != NULL && parameter->start == c) {
             add_bytes(out, done, (size_t)(c - done));
@@ -245,10 +284,10 @@ static bool write_effect(struct out *out, const struct effect *effect, const str
             is_in_channel = true;
             is_number = is_now_number;
         } else if (is_in_channel && scene_collada_is_tag(c, "param")) {
-            const struct scene_collada_value value =
-                value_of(effect, set, scene_collada_attribute(c, last, "ref"));
+            const struct parameter *const value =
+                find_value(effect, set, scene_collada_attribute(c, last, "ref"));
             last = reference_end(last, end);
-            if (value.text == NULL) {
+            if (value == NULL) {
                 scene_import_unsupported(out->import,
                                          "parameters of materials that are not there (Collada): not used");
             } else {
@@ -268,7 +307,8 @@ static bool write_effect(struct out *out, const struct effect *effect, const str
 static void free_effects(struct effects *effects)
 {
     for (size_t i = 0; i < effects->count; i++) {
-        free_parameters(&effects->list[i].parameters);
+        free_parameters(&effects->list[i].common);
+        free_parameters(&effects->list[i].free);
     }
     free(effects->list);
     scene_x3d_free_names(&effects->names);
@@ -286,7 +326,8 @@ static void read_effects(struct scene_import *import, char *text, const char *en
             struct effect effect = {.start = c, .id = scene_collada_attribute(c, last, "id")};
             last = read_effect(import, last, end, &effect);
             if (last == NULL) {
-                free_parameters(&effect.parameters);
+                free_parameters(&effect.common);
+                free_parameters(&effect.free);
                 return;
             }
             scene_import_reserve(import, &effects->list, &effects->capacity, effects->count + 1,
@@ -326,7 +367,7 @@ static char *read_settings(struct scene_import *import, char *close, const char 
                 return last;
             }
             last = parameter_end;
-            if (parameter.value.text == NULL) {
+            if (parameter.number_count == 0) {
                 scene_import_unsupported(import,
                                          "images and samplers that materials set (Collada): not used");
             } else {
@@ -338,33 +379,31 @@ static char *read_settings(struct scene_import *import, char *close, const char 
 }
 
 // Write the effect of a material that sets parameters once more, behind it, and make the material use it.
-static void write_own_effect(struct scene_import *import, struct scene_edits *edits, const char *text,
+static void write_own_effect(struct out out, struct scene_edits *edits, const char *text,
                              const struct effect *effect, struct scene_collada_value url,
                              const struct parameters *set, size_t number)
 {
-    char name[48];
-    struct out out = {.import = import};
+    char name[48], reference[64];
     snprintf(name, sizeof name, "rhw-effect-%zu", number);
-    struct out whole = {.import = import};
-    write_effect(&whole, effect, set);
-    const size_t id = (size_t)(effect->id.text - effect->start);
-    add_bytes(&out, whole.text, id);
-    add_text(&out, name);
-    add_bytes(&out, whole.text + id + effect->id.length, whole.size - id - effect->id.length);
-    free(whole.text);
-    scene_edits_add(import, edits,
-                    (struct scene_edit){(size_t)(effect->last + 1 - text), 0, out.text, out.size});
-    char reference[64];
     snprintf(reference, sizeof reference, "#%s", name);
-    scene_edits_add_string(import, edits, (size_t)(url.text - text), url.length, reference);
+    add_bytes(&out, effect->start, (size_t)(effect->id.text - effect->start));
+    add_text(&out, name);
+    write_effect(&out, effect, set, effect->id.text + effect->id.length);
+    if (is_full(&out)) {
+        scene_import_unsupported(out.import, "parameters that materials set (Collada): not all used");
+        free(out.text);
+        return;
+    }
+    scene_edits_add(out.import, edits,
+                    (struct scene_edit){(size_t)(effect->last + 1 - text), 0, out.text, out.size});
+    scene_edits_add_string(out.import, edits, (size_t)(url.text - text), url.length, reference);
 }
 
 // Look through the materials for those that set parameters of their effects.
-static void write_materials(struct scene_import *import, struct scene_edits *edits, char *text,
-                            const char *end, const struct effects *effects)
+static void write_materials(struct out out, struct scene_edits *edits, char *text, const char *end,
+                            const struct effects *effects)
 {
-    // Each makes a copy of its effect, which many could make too large.
-    size_t left = ((size_t)1 << 23) + (size_t)(end - text), number = 0;
+    size_t number = 0;
     char *last;
     for (char *c = strchr(text, '<'); c != NULL; c = strchr(last, '<')) {
         last = scene_collada_markup_end(c, end);
@@ -374,14 +413,10 @@ static void write_materials(struct scene_import *import, struct scene_edits *edi
         if (scene_collada_is_tag(c, "instance_effect")) {
             const struct scene_collada_value url = scene_collada_attribute(c, last, "url");
             struct parameters set = {0};
-            last = read_settings(import, last, end, &set);
+            last = read_settings(out.import, last, end, &set);
             const struct effect *const effect = set.count == 0 ? NULL : find_effect(effects, url);
-            const size_t size = effect == NULL ? 0 : (size_t)(effect->last + 1 - effect->start);
-            if (effect != NULL && size <= left) {
-                left -= size;
-                write_own_effect(import, edits, text, effect, url, &set, number++);
-            } else if (effect != NULL) {
-                scene_import_unsupported(import, "parameters that materials set (Collada): not all used");
+            if (effect != NULL) {
+                write_own_effect(out, edits, text, effect, url, &set, number++);
             }
             free_parameters(&set);
         }
@@ -393,14 +428,19 @@ char *scene_assimp_write_effects(struct scene_import *import, char *text, size_t
     if (strstr(text, "<newparam") == NULL) {
         return text;
     }
+    // Each profile has all free parameters, and each material a copy of its effect, which many could make too large.
+    const size_t room = (size_t)1 << 23, per_byte = 8;
+    size_t left = room + per_byte * *size;
+    const struct out empty = {.import = import, .left = &left};
     struct effects effects = {0};
     struct scene_edits edits = {0};
     const char *const end = text + *size;
     read_effects(import, text, end, &effects);
     for (size_t i = 0; i < effects.count; i++) {
-        struct out out = {.import = import};
-        if (write_effect(&out, &effects.list[i], NULL)) {
-            const struct effect *const effect = &effects.list[i];
+        const struct effect *const effect = &effects.list[i];
+        struct out out = empty;
+        const bool has_changed = write_effect(&out, effect, NULL, effect->start);
+        if (has_changed && left > 0) {
             scene_edits_add(import, &edits,
                             (struct scene_edit){(size_t)(effect->start - text),
                                                 (size_t)(effect->last + 1 - effect->start), out.text,
@@ -409,7 +449,10 @@ char *scene_assimp_write_effects(struct scene_import *import, char *text, size_t
             free(out.text);
         }
     }
-    write_materials(import, &edits, text, end, &effects);
+    if (left == 0) {
+        scene_import_unsupported(import, "parameters of effects (Collada): not all used");
+    }
+    write_materials(empty, &edits, text, end, &effects);
     free_effects(&effects);
     return scene_edits_replace(import, &edits, text, size);
 }

@@ -600,6 +600,9 @@ static void write_effect(const char *effect, const char *settings)
 
 #define COMMON(text) "<profile_COMMON><technique sid=\"c\">" text "</technique></profile_COMMON>"
 #define RED          "<newparam sid=\"r\"><float3>1 0 0</float3></newparam>"
+#define BLUE         "<newparam sid=\"r\"><float3>0 0 1</float3></newparam>"
+#define LONG         "0.50000000000000000000000000000000000000000000000000000000000000000"
+#define LAMBERT      "<lambert><diffuse><param ref=\"r\"/></diffuse></lambert>"
 
 // Parameters of effects, wherever they stand and whoever sets them, and materials that are what they send out.
 static void test_effects(void **state)
@@ -681,6 +684,41 @@ static void test_effects(void **state)
          {0, 0, 0},
          false,
          absent},
+        {BLUE "<profile_COMMON>" RED "<technique sid=\"c\">" LAMBERT "</technique></profile_COMMON>",
+         "",
+         {1, 0, 0},
+         1,
+         {0, 0, 0},
+         false,
+         NULL},
+        {"<profile_GLSL>" BLUE "</profile_GLSL>" RED COMMON(LAMBERT), "", {1, 0, 0}, 1, {0, 0, 0}, false, NULL},
+        {"<newparam sid=\"n\"><float></float></newparam>" COMMON(
+             "<phong><diffuse><color>0 1 0 1</color></diffuse><shininess><param ref=\"n\"/></shininess>"
+             "</phong>"),
+         "",
+         {0, 1, 0},
+         1,
+         {0, 0, 0},
+         false,
+         absent},
+        {"<newparam sid=\"n\"><float>1high</float></newparam>" COMMON(
+             "<phong><diffuse><color>0 1 0 1</color></diffuse><shininess><param ref=\"n\"/></shininess>"
+             "</phong>"),
+         "",
+         {0, 1, 0},
+         1,
+         {0, 0, 0},
+         false,
+         absent},
+        {"<newparam sid=\"n\"><float>" LONG "</float></newparam>" COMMON(
+             "<phong><diffuse><color>0 1 0 1</color></diffuse><shininess><param ref=\"n\"/></shininess>"
+             "</phong>"),
+         "",
+         {0, 1, 0},
+         1,
+         {0, 0, 0},
+         false,
+         absent},
     };
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         write_effect(cases[i].effect, cases[i].settings);
@@ -694,6 +732,68 @@ static void test_effects(void **state)
         assert_true(cases[i].told == NULL || is_unsupported(model, cases[i].told));
         scene_model_free(model);
     }
+}
+
+// Return a text that is repeated, with others around it.
+static char *repeated(const char *before, const char *text, size_t count, const char *behind)
+{
+    char *const whole = malloc(strlen(before) + strlen(text) * count + strlen(behind) + 1);
+    assert_non_null(whole);
+    char *end = whole + sprintf(whole, "%s", before);
+    for (size_t i = 0; i < count; i++) {
+        end += sprintf(end, "%s", text);
+    }
+    strcpy(end, behind);
+    return whole;
+}
+
+static struct scene_model *load_in_time(const char *name)
+{
+    const struct scene_model_options options = {.seconds = 8};
+    char error[512] = "";
+    struct scene_model *const model = scene_model_load(path_of(name), &options, error, sizeof error);
+    if (strstr(error, "took more than") != NULL) {
+        fail_msg("%s", error);
+    }
+    return model;
+}
+
+// Parameters that would make an effect, or its copies for many materials, too large, and those that do not end.
+static void test_many_parameters(void **state)
+{
+    (void)state;
+    static const char setting[] = "<setparam ref=\"r\"><float3>0 0 1</float3></setparam>";
+    static const char next[] = "</instance_effect></material><material id=\"n\"><instance_effect url=\"#e\">"
+                               "<setparam ref=\"r\"><float3>0 0 1</float3></setparam>";
+    char *const blanks = repeated("<!--", " ", 100000, "-->");
+    char *const large = repeated("<newparam sid=\"l\">", blanks, 1, "<float>1</float></newparam>" RED);
+    char *const profiles = repeated(large, COMMON(LAMBERT), 200, "");
+    write_effect(profiles, setting);
+    struct scene_model *model = load_in_time("e.dae");
+    assert_non_null(model);
+    assert_int_equal(model->unsupported_count, 2);
+    assert_true(is_unsupported(model, "parameters of effects (Collada): not all used"));
+    assert_true(is_unsupported(model, "parameters that materials set (Collada): not all used"));
+    scene_model_free(model);
+
+    char *const one = repeated(large, COMMON(LAMBERT), 1, "");
+    char *const materials = repeated(setting, next, 200, "");
+    write_effect(one, materials);
+    model = load_in_time("e.dae");
+    assert_non_null(model);
+    assert_int_equal(model->unsupported_count, 1);
+    assert_true(is_unsupported(model, "parameters that materials set (Collada): not all used"));
+    scene_model_free(model);
+
+    char *const open = repeated("", "<instance_effect url=\"#e\"><setparam ref=\"r\">", 100000, "");
+    write_effect(RED COMMON(LAMBERT), open);
+    assert_null(load_in_time("e.dae"));
+    free(blanks);
+    free(large);
+    free(profiles);
+    free(one);
+    free(materials);
+    free(open);
 }
 
 // Images and samplers as Collada 1.5 has them.
@@ -739,6 +839,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_texture_coordinate_sets),
     cmocka_unit_test(test_images_without_names),
     cmocka_unit_test(test_effects),
+    cmocka_unit_test(test_many_parameters),
     cmocka_unit_test(test_samplers_1_5),
 };
 
