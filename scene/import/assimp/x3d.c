@@ -210,7 +210,8 @@ static char *write_tags(struct scene_import *import, char *source, size_t *size)
             scene_edits_add_string(import, &edits, (size_t)(tag + 4 - text), 0, SCENE_X3D_FILLER);
         } else if (!write_metadata(import, &edits, text, tag, close) &&
                    !scene_assimp_write_faces(import, &edits, &faces, text, tag, close, text + *size) &&
-                   !scene_assimp_write_material(import, &edits, &materials, text, tag, close) &&
+                   !scene_assimp_write_material(import, &edits, &materials,
+                                                &(struct scene_x3d_tag){text, text + *size, tag, &close}) &&
                    !scene_assimp_write_group(import, &edits, text, tag, close)) {
             write_address(import, &edits, text, tag, close);
             if (hidden.open == 0 || hidden.is_named) {

@@ -25,62 +25,87 @@ static const struct kind {
 
 static const char written[] = "diffuseColor";
 
-// Write the tags of a texture in a field of a material as those of a comment, unless it is the colour's. `tag` is a
-// start tag, or the end of the texture that was left out last.
-static void write_texture(struct scene_import *import, struct scene_edits *edits,
-                          struct scene_x3d_materials *materials, const char *text, char *tag, char *close)
+// Return the end tag of the element whose start tag ends at `close`. Return NULL if it has none.
+static char *find_end(char *close, const char *end, const char *name)
 {
-    enum { LONGEST = 40 };
-    static const char *const fields[] = {"diffuseTexture", "baseTexture", NULL, "texture"};
-    const size_t at = (size_t)(tag - text), length = (size_t)(close - tag) + 1;
-    if (tag[1] == '/') {
-        scene_edits_add_string(import, edits, at, length, " -->");
-        materials->left = NULL;
-        return;
+    size_t open = 1;
+    for (char *tag = strchr(close, '<'); tag != NULL; tag = strchr(close, '<')) {
+        close = scene_collada_markup_end(tag, end);
+        if (close == NULL) {
+            return NULL;
+        }
+        open -= scene_collada_is_end(tag, name);
+        open += scene_collada_is_tag(tag, name) && close[-1] != '/';
+        if (open == 0) {
+            return tag;
+        }
     }
-    const struct scene_collada_value field = scene_collada_attribute(tag, close, "containerField");
+    return NULL;
+}
+
+// Return true if a texture in a material is that of its colour.
+static bool is_of_color(const struct scene_x3d_materials *materials, struct scene_collada_value field)
+{
+    static const char *const fields[] = {"diffuseTexture", "baseTexture", NULL, "texture"};
     bool is_color = field.text == NULL;
     for (size_t i = 0; i < sizeof fields / sizeof fields[0] && !is_color; i++) {
         const char *const name = fields[i] != NULL ? fields[i] : materials->is_unlit ? "emissiveTexture" : "";
         is_color = field.length == strlen(name) && memcmp(field.text, name, field.length) == 0;
     }
-    if (is_color) {
-        return;
+    return is_color;
+}
+
+// Leave out a texture in a field of a material, unless it is the colour's, and move `close` to before its end tag.
+static bool leave_texture(struct scene_import *import, struct scene_edits *edits,
+                          struct scene_x3d_materials *materials, const struct scene_x3d_tag *texture,
+                          const char *name)
+{
+    enum { LONGEST = 40 };
+    char *const close = *texture->close;
+    const struct scene_collada_value field = scene_collada_attribute(texture->tag, close, "containerField");
+    if (is_of_color(materials, field) || materials->is_cut) {
+        return false;
+    }
+    const char *last = close;
+    if (close[-1] != '/') {
+        char *const end = find_end(close, texture->end, name);
+        last = end == NULL ? NULL : scene_collada_markup_end(end, texture->end);
+        if (last == NULL) {
+            materials->is_cut = true;
+            return false;
+        }
+        *texture->close = end - 1;
     }
     scene_import_unsupported(
         import, "textures of the field %s (X3D): not used",
         scene_import_string(import, field.text, field.length < LONGEST ? field.length : LONGEST));
-    scene_edits_add_string(import, edits, at, length, close[-1] == '/' ? "" : "<!-- ");
-    if (close[-1] != '/') {
-        materials->left = tag + 1;
-        materials->left_length = strcspn(tag + 1, " \t\r\n>");
-    }
+    scene_edits_add_string(import, edits, (size_t)(texture->tag - texture->text),
+                           (size_t)(last - texture->tag) + 1, "");
+    return true;
 }
 
-// Return true for a tag of a texture that stands in a material, or for the end of one that was left out.
-static bool is_texture(const struct scene_x3d_materials *materials, const char *tag)
+// Return the name of a texture that begins with this tag, or NULL.
+static const char *find_texture(const char *tag)
 {
     static const char *const nodes[] = {"ImageTexture", "PixelTexture", "MovieTexture", "MultiTexture"};
-    if (materials->left != NULL) {
-        return tag[1] == '/' && strncmp(tag + 2, materials->left, materials->left_length) == 0;
+    for (size_t i = 0; i < sizeof nodes / sizeof nodes[0]; i++) {
+        if (scene_collada_is_tag(tag, nodes[i])) {
+            return nodes[i];
+        }
     }
-    bool is_node = false;
-    for (size_t i = 0; i < sizeof nodes / sizeof nodes[0] && materials->is_open; i++) {
-        is_node = is_node || scene_collada_is_tag(tag, nodes[i]);
-    }
-    return is_node;
+    return NULL;
 }
 
 bool scene_assimp_write_material(struct scene_import *import, struct scene_edits *edits,
-                                 struct scene_x3d_materials *materials, const char *text, char *tag,
-                                 char *close)
+                                 struct scene_x3d_materials *materials, const struct scene_x3d_tag *found)
 {
+    const char *const text = found->text;
+    char *const tag = found->tag, *const close = *found->close;
     const bool is_end = tag[1] == '/';
     const struct kind *kind = NULL;
-    if (is_texture(materials, tag)) {
-        const size_t before = edits->count;
-        write_texture(import, edits, materials, text, tag, close);
-        return edits->count > before;
+    const char *const texture = materials->is_open ? find_texture(tag) : NULL;
+    if (texture != NULL) {
+        return leave_texture(import, edits, materials, found, texture);
     }
     for (size_t i = 0; i < sizeof kinds / sizeof kinds[0] && kind == NULL; i++) {
         kind = scene_collada_is_tag(tag + is_end, kinds[i].name) ? &kinds[i] : NULL;

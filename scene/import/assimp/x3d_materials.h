@@ -11,14 +11,19 @@
 /// What is kept between the tags of a document. At its beginning all is zero.
 struct scene_x3d_materials {
     bool is_open, is_unlit; ///< within a material, and one without light
-    const char *left;       ///< the name of the texture that is left out until its end; else NULL
-    size_t left_length;
+    bool is_cut;            ///< a texture has no end
 };
 
-/// Write a tag of a material of X3D 4, from `tag` to `close`, or of a texture in one, as those of X3D 3. The document
-/// begins at `text`. Return false if it is another tag, or one of a texture that is used. Tell what is lost.
+/// A tag of a document, which is from `text` to `end`.
+struct scene_x3d_tag {
+    const char *text, *end;
+    char *tag, **close;
+};
+
+/// Write a tag of a material of X3D 4 as that of X3D 3. Leave out a texture in one that is not that of its colour, and
+/// move `close` to before its end tag. Return false if it is another tag, or one of a texture that is used. Tell what
+/// is lost.
 bool scene_assimp_write_material(struct scene_import *import, struct scene_edits *edits,
-                                 struct scene_x3d_materials *materials, const char *text, char *tag,
-                                 char *close);
+                                 struct scene_x3d_materials *materials, const struct scene_x3d_tag *found);
 
 #endif

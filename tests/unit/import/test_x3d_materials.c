@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+// Materials of X3D, and their textures.
+#include "model_files.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#define SHAPE(appearance)                                                                  \
+    "<Shape><Appearance>" appearance "</Appearance><IndexedFaceSet coordIndex='0 1 2 -1'>" \
+    "<Coordinate point='0 0 0 1 0 0 0 1 0'/><TextureCoordinate point='0 0 1 0 0 "          \
+    "1'/></IndexedFaceSet></Shape>"
+
+// Writes a.tga, two texels of these alphas.
+static void write_texels(const unsigned char alpha[2])
+{
+    const unsigned char tga[] = {0, 0, 2, 0,  0, 0,  0,  0,  0,        0,  0,   0,  2,
+                                 0, 1, 0, 32, 8, 90, 90, 90, alpha[0], 10, 200, 30, alpha[1]};
+    write_bytes("a.tga", tga, sizeof tga);
+}
+
+// Materials of X3D 4 keep their colours.
+static void test_materials(void **state)
+{
+    (void)state;
+    static const char told[] = "physically based materials (X3D): drawn dull, in their base colour";
+    static const struct {
+        const char *text;
+        float color[3], emissive[3];
+        bool is_unlit, is_told;
+    } cases[] = {
+        {"<Material diffuseColor='1 0 0'/>", {1, 0, 0}, {0, 0, 0}, false, false},
+        {"<UnlitMaterial emissiveColor='0 1 0'/>", {0, 1, 0}, {0, 0, 0}, true, false},
+        {"<UnlitMaterial></UnlitMaterial>", {1, 1, 1}, {0, 0, 0}, true, false},
+        {"<UnlitMaterial/><ImageTexture url='\"a.tga\"'/>", {1, 1, 1}, {0, 0, 0}, true, false},
+        {"<PhysicalMaterial metallic='0' baseColor='0 0 1'/>", {0, 0, 1}, {0, 0, 0}, false, true},
+        {"<PhysicalMaterial DEF='baseColors' baseColor = '0 0 1'/>", {0, 0, 1}, {0, 0, 0}, false, true},
+        {"<PhysicalMaterial DEF='p' emissiveColor='1 0 0'/>", {1, 1, 1}, {1, 0, 0}, false, true},
+        {"<Material diffuseColor='1 0 0'><!-- none --></Material>", {1, 0, 0}, {0, 0, 0}, false, false},
+    };
+    write_texels((const unsigned char[]){255, 255});
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        write_format("m.x3d", "<X3D><Scene>" SHAPE("%s") "</Scene></X3D>", cases[i].text);
+        struct scene_model *const model = load("m.x3d");
+        const struct scene_material *const material = &model->materials[model->meshes[0].material];
+        assert_floats(material->base_color, cases[i].color, 3, 0);
+        assert_floats(material->emissive, cases[i].emissive, 3, 0);
+        assert_int_equal(material->unlit, cases[i].is_unlit);
+        assert_int_equal(is_unsupported(model, told), cases[i].is_told);
+        assert_int_equal(model->unsupported_count, cases[i].is_told);
+        scene_model_free(model);
+    }
+    struct scene_model *model = load_text(
+        "l.x3d", "<X3D><Scene><Shape><Appearance><UnlitMaterial emissiveColor='1 0 0'/></Appearance>"
+                 "<IndexedLineSet coordIndex='0 1 -1'><Coordinate point='0 0 0 1 0 0'/>"
+                 "</IndexedLineSet></Shape></Scene></X3D>");
+    assert_floats(model->materials[model->meshes[0].material].base_color, (const float[]){1, 0, 0}, 3, 0);
+    scene_model_free(model);
+    model = load_text("u.x3d", "<X3D><Scene>" SHAPE("<UnlitMaterial DEF='u' emissiveColor='1 0 0'/>")
+                                   SHAPE("<UnlitMaterial USE='u'/>") "</Scene></X3D>");
+    assert_int_equal(model->mesh_count, 2);
+    for (int i = 0; i < 2; i++) {
+        assert_floats(model->materials[model->meshes[i].material].base_color, (const float[]){1, 0, 0}, 3, 0);
+    }
+    scene_model_free(model);
+}
+
+// The alpha of a texture is that of its surface, in AC3D too.
+static void test_alpha_of_textures(void **state)
+{
+    (void)state;
+    static const struct {
+        unsigned char alpha[2];
+        enum scene_alpha_mode mode;
+    } cases[] = {
+        {{255, 255}, SCENE_ALPHA_OPAQUE}, {{0, 255}, SCENE_ALPHA_MASK}, {{128, 100}, SCENE_ALPHA_BLEND}};
+    write_text("a.x3d", "<X3D><Scene>" SHAPE("<ImageTexture url='\"a.tga\"'/>") "</Scene></X3D>");
+    write_text(
+        "a.ac",
+        "AC3Db\nMATERIAL \"m\" rgb 1 1 1 amb 0 0 0 emis 0 0 0 spec 0 0 0 shi 0 trans 0\n"
+        "OBJECT world\nkids 1\nOBJECT poly\nname \"a\"\ntexture \"a.tga\"\nnumvert 3\n0 0 0\n1 0 0\n0 1 0\n"
+        "numsurf 1\nSURF 0x20\nmat 0\nrefs 3\n0 0 0\n1 1 0\n2 0 1\nkids 0\n");
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        write_texels(cases[i].alpha);
+        for (int k = 0; k < 2; k++) {
+            struct scene_model *const model = load(k == 0 ? "a.x3d" : "a.ac");
+            assert_int_equal(model->image_count, 1);
+            assert_int_equal(model->warning_count + model->unsupported_count, 0);
+            if (model->materials[model->meshes[0].material].alpha_mode != cases[i].mode) {
+                fail_msg("case %zu, %d: %d", i, k,
+                         (int)model->materials[model->meshes[0].material].alpha_mode);
+            }
+            scene_model_free(model);
+        }
+    }
+}
+
+// Textures stand in the fields of materials. The one of the colour is drawn.
+static void test_textures_of_materials(void **state)
+{
+    (void)state;
+    static const char physical[] = "physically based materials (X3D): drawn dull, in their base colour",
+                      normals[] = "textures of the field normalTexture (X3D): not used",
+                      glow[] = "textures of the field emissiveTexture (X3D): not used";
+    static const struct {
+        const char *text;
+        bool is_drawn;
+        const char *told[2];
+    } cases[] = {
+        {"<Material><ImageTexture containerField='diffuseTexture' url='\"a.tga\"'/></Material>", true, {NULL}},
+        {"<PhysicalMaterial baseColor='1 1 1'>\n<ImageTexture containerField='baseTexture' "
+         "url='\"a.tga\"'></ImageTexture></PhysicalMaterial>",
+         true,
+         {physical}},
+        {"<UnlitMaterial><ImageTexture containerField=\"emissiveTexture\" url='\"a.tga\"'/></UnlitMaterial>",
+         true,
+         {NULL}},
+        {"<Material><ImageTexture containerField='normalTexture' url='\"b.tga\"'/>"
+         "<ImageTexture containerField='emissiveTexture' url='\"b.tga\"'></ImageTexture></Material>"
+         "<ImageTexture url='\"a.tga\"'/>",
+         true,
+         {normals, glow}},
+        {"<PhysicalMaterial><ImageTexture containerField='normalTexture' "
+         "url='\"b.tga\"'/></PhysicalMaterial>",
+         false,
+         {physical, normals}},
+        // One that is left out may hold a comment, and others whose names begin as its own does.
+        {"<Material><ImageTexture containerField='normalTexture' url='\"b.tga\"'><!-- c --><ImageTextureProperties>"
+         "</ImageTextureProperties ><MetadataString value='m'/></ImageTexture ></Material>"
+         "<ImageTexture url='\"a.tga\"'/>",
+         true,
+         {normals}},
+        {"<Material><MultiTexture containerField='normalTexture'><ImageTexture url='\"b.tga\"'/><MultiTexture>"
+         "</MultiTexture></MultiTexture><ImageTexture url='\"a.tga\"'/></Material>",
+         true,
+         {normals, "textures above each other: not drawn"}},
+    };
+    write_texels((const unsigned char[]){255, 255});
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        write_format("m.x3d", "<X3D><Scene>" SHAPE("%s") "</Scene></X3D>", cases[i].text);
+        struct scene_model *const model = load("m.x3d");
+        const struct scene_material *const material = &model->materials[model->meshes[0].material];
+        assert_int_equal(material->slots[SCENE_SLOT_BASE_COLOR].image, cases[i].is_drawn ? 0 : -1);
+        assert_int_equal(model->image_count, cases[i].is_drawn);
+        assert_int_equal(model->warning_count, 0);
+        for (size_t k = 0; k < 2; k++) {
+            assert_true(cases[i].told[k] == NULL || is_unsupported(model, cases[i].told[k]));
+        }
+        assert_int_equal(model->unsupported_count, (cases[i].told[0] != NULL) + (cases[i].told[1] != NULL));
+        scene_model_free(model);
+    }
+}
+
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_materials),
+    cmocka_unit_test(test_alpha_of_textures),
+    cmocka_unit_test(test_textures_of_materials),
+};
+
+const struct unit_tests test_x3d_materials = UNIT_TESTS(tests, make_directory, remove_directory);
