@@ -160,6 +160,25 @@ static char *end_of_use(char *close, const char *end)
     return tag == NULL ? close : tag[1] == '/' ? scene_collada_markup_end(tag, end) : NULL;
 }
 
+// Write a node again, in this field of the one around it, or in that where it belongs if there is none.
+static void write_copy(struct work *work, const struct scene_x3d_name *node, struct scene_collada_value field)
+{
+    static const char attribute[] = "containerField";
+    char *const tag = work->out + node->at;
+    char *const close = scene_collada_markup_end(tag, tag + node->size);
+    const struct scene_collada_value old = scene_collada_attribute(tag, close, attribute);
+    const size_t head = strcspn(tag, " \t\r\n/>"), length = strlen(attribute);
+    const size_t begin = old.text == NULL ? head : (size_t)(scene_collada_name_end(old) - tag) - length,
+                 end = old.text == NULL ? head : (size_t)(old.text - tag) + old.length + 1;
+    write_text(work, work->out + node->at, head);
+    if (field.text != NULL) {
+        write_text(work, " containerField=", 1 + length + 1);
+        write_text(work, field.text - 1, field.length + 2); // with its quotation marks
+    }
+    write_text(work, work->out + node->at + head, begin - head);
+    write_text(work, work->out + node->at + end, node->size - end);
+}
+
 // Write the group that a tag uses again. Return the > at the end of the tag's element, or NULL if it does not, or
 // where all would become too large.
 static char *write_use(struct work *work, char *tag, char *close, const char *end)
@@ -173,7 +192,7 @@ static char *write_use(struct work *work, char *tag, char *close, const char *en
     }
     write_text(work, work->from, (size_t)(tag - work->from));
     const size_t at = work->size;
-    write_text(work, work->out + named->at, named->size);
+    write_copy(work, named, scene_collada_attribute(tag, close, "containerField"));
     drop_names(work, at);
     work->from = last + 1;
     return last;

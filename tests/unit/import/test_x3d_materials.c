@@ -150,10 +150,42 @@ static void test_textures_of_materials(void **state)
     }
 }
 
+// A texture that is used again is in the field of where it is used.
+static void test_textures_that_are_used_again(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *first, *second;
+        bool is_drawn[2];
+    } cases[] = {
+        {"", "containerField='normalTexture'", {true, false}},
+        {"containerField='normalTexture'", "", {false, true}},
+        {"containerField='diffuseTexture'", "containerField=\"emissiveTexture\"", {true, false}},
+        {"containerField = \"emissiveTexture\"", "containerField='diffuseTexture'", {false, true}},
+        {"containerField='diffuseTexture'", "containerField='diffuseTexture'", {true, true}},
+    };
+    write_texels((const unsigned char[]){255, 255});
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        write_format("u.x3d",
+                     "<X3D><Scene>" SHAPE("<Material><ImageTexture DEF='t' %s url='\"a.tga\"'/></Material>")
+                         SHAPE("<Material><ImageTexture USE='t' %s/></Material>") "</Scene></X3D>",
+                     cases[i].first, cases[i].second);
+        struct scene_model *const model = load("u.x3d");
+        assert_int_equal(model->mesh_count, 2);
+        for (int k = 0; k < 2; k++) {
+            const struct scene_material *const material = &model->materials[model->meshes[k].material];
+            assert_true((material->slots[SCENE_SLOT_BASE_COLOR].image >= 0) == cases[i].is_drawn[k]);
+        }
+        assert_int_equal(model->warning_count, 0);
+        scene_model_free(model);
+    }
+}
+
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_materials),
     cmocka_unit_test(test_alpha_of_textures),
     cmocka_unit_test(test_textures_of_materials),
+    cmocka_unit_test(test_textures_that_are_used_again),
 };
 
 const struct unit_tests test_x3d_materials = UNIT_TESTS(tests, make_directory, remove_directory);
