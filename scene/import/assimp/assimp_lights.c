@@ -158,9 +158,13 @@ static void set_strength(struct scene_model_light *light, const struct aiLight *
 // is another one each time.
 static bool is_address(const struct scene_import *import, const char *name)
 {
-    static const char kind[] = "Light_", digits[] = "0123456789";
-    const char *const mark = strstr(name, kind), *const number = mark ? mark + strlen(kind) : "";
-    const size_t least = 7, length = strspn(number, digits);
+    static const char *const kinds[] = {"DirectionalLight_", "PointLight_", "SpotLight_"};
+    const char *number = "";
+    for (size_t i = 0; i < sizeof kinds / sizeof kinds[0]; i++) {
+        const size_t length = strlen(kinds[i]);
+        number = strncmp(name, kinds[i], length) == 0 ? name + length : number;
+    }
+    const size_t least = 7, length = strspn(number, "0123456789");
     return strcasecmp(import->ending, "x3d") == 0 && length >= least && number[length] == 0;
 }
 

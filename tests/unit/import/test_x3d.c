@@ -235,6 +235,22 @@ static void test_lights_that_are_used_again(void **state)
     }
 }
 
+// A light keeps its name, though it may end as those do that assimp gives.
+static void test_names_of_lights(void **state)
+{
+    (void)state;
+    static const char *const names[] = {"KeyLight_20240101", "aPointLight_20240101", "PointLight_20240101b",
+                                        "PointLight_7", ""};
+    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
+        write_format("l.x3d", "<X3D><Scene>%s<PointLight %s%s%s/></Scene></X3D>", SHAPE(""),
+                     names[i][0] != 0 ? "DEF='" : "", names[i], names[i][0] != 0 ? "'" : "");
+        struct scene_model *const model = load("l.x3d");
+        assert_int_equal(model->light_count, 1);
+        assert_string_equal(model->lights[0].name, names[i]);
+        scene_model_free(model);
+    }
+}
+
 #define QUADS "<Coordinate point='0 0 0 1 0 0, 1 1 0 0 1 0 2 0 0 3 0 0 3 1 0 2 1 0'/>"
 
 // Quads, with indices and without, are drawn with what belongs to their corners, and where they are used again.
@@ -647,6 +663,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_faces_within_faces),
     cmocka_unit_test(test_groups_within_groups),
     cmocka_unit_test(test_lights_that_are_used_again),
+    cmocka_unit_test(test_names_of_lights),
     cmocka_unit_test(test_quads),
     cmocka_unit_test(test_quads_of_the_same_points),
     cmocka_unit_test(test_few_of_many_points),
