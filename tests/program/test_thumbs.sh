@@ -232,4 +232,34 @@ rm links/in/near.obj links/in/sub/cube.obj
 run thumbs links/in -o none --size 16
 check "nothing but links out" grep -q "^0 drawn, 0 kept, 0 failed$" "$folder/log/out"
 
+# No picture of a model of a game is its skin, nor that of another one, wherever it is written.
+integer() { # NUMBER: of 16 bits, as 32
+    printf "\\$(printf %03o $(($1 % 256)))\\$(printf %03o $(($1 / 256)))\\0\\0"
+}
+mkdir games
+{
+    printf IDP2
+    for number in 8 64 64 52 1 3 3 1 0 1 68 132 144 156 68 208; do
+        integer $number
+    done
+    head -c 76 /dev/zero
+    printf '\0\0\1\0\2\0\0\0\1\0\2\0' # the corners of a triangle, and their places in the skin
+    printf '\0\0\200\77\0\0\200\77\0\0\200\77'
+    head -c 28 /dev/zero
+    printf '\0\0\0\0\11\0\0\0\0\11\0\0'
+    head -c 256 /dev/zero
+} >games/a.md2
+cp games/a.md2 games/b.md2
+for run in 1 2; do
+    for jobs in 1 2; do
+        run thumbs games -o games --size 16 --jobs $jobs --force
+        check "thumbnails beside games, $jobs jobs" cmp games/a.md2.png games/b.md2.png
+        rm games/b.md2.png
+    done
+    run render games/a.md2 -o games/a.png --size 16
+    mv games/a.png $run.png
+    cp $run.png games/a.png
+done
+check "no picture is a skin" cmp 1.png 2.png
+
 finish

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Skins of models for games. Their files name one that the game has elsewhere, or none, as the game chooses it. It lies
-// beside them: called as the model is, or skin, or as the only image there or one folder above.
+// beside them: called as the model is, or skin, or as the only image there or one folder above. Where it is not called
+// skin it is of a format that rhw does not write, so that no picture of a model becomes its skin.
 #include "skins.h"
 
 #include "import/builder/find_file.h"
@@ -20,31 +21,32 @@ bool scene_assimp_has_skins(const struct scene_import *import)
     return has;
 }
 
-// Return the path of the only image in a folder, or NULL.
-static const char *find_only(struct scene_import *import, const char *above)
+// Return the path of the folder of a model, or of the one above it, which ends with a slash.
+static char *folder_path(struct scene_import *import, bool is_above)
 {
+    static const char above[] = "../";
     const char *const folder = import->directory[0] != 0 ? import->directory : "./";
-    const size_t room = strlen(folder) + strlen(above) + 1;
-    char *const path = scene_import_allocate(import, room, 1);
-    strcat(strcpy(path, folder), above);
-    const char *const found = scene_folder_only_image(import, path);
-    free(path);
-    return found;
+    char *const path = scene_import_allocate(import, strlen(folder) + sizeof above, 1);
+    return strcat(strcpy(path, folder), is_above ? above : "");
 }
 
 bool scene_assimp_find_skin(struct scene_import *import, struct scene_import_source *source)
 {
     const char *const slash = strrchr(import->name, '/'),
                       *const file = slash == NULL ? import->name : slash + 1, *const dot = strrchr(file, '.');
-    char own[256];
-    snprintf(own, sizeof own, "%.*s.png", dot == NULL ? 0 : (int)(dot - file), file);
-    const char *const names[] = {own, "skin.png", "../skin.png"};
-    for (size_t i = 0; i < sizeof names / sizeof names[0] && source->file == NULL; i++) {
+    char *const stem = scene_import_allocate(import, strlen(file) + 1, 1);
+    memcpy(stem, file, dot == NULL ? 0 : (size_t)(dot - file));
+    char *const folders[] = {folder_path(import, false), folder_path(import, true)};
+    source->file = scene_folder_own_image(import, folders[0], stem);
+    static const char *const names[] = {"skin.png", "../skin.png"};
+    const bool is_skin = strcasecmp(stem, "skin") == 0; // a picture of this model is called skin too
+    for (size_t i = 0; i < sizeof names / sizeof names[0] && source->file == NULL && !is_skin; i++) {
         scene_import_find_image(import, NULL, names[i], source);
     }
-    static const char *const folders[] = {"", "../"};
-    for (size_t i = 0; i < sizeof folders / sizeof folders[0] && source->file == NULL; i++) {
-        source->file = find_only(import, folders[i]);
+    for (size_t i = 0; i < sizeof folders / sizeof folders[0]; i++) {
+        source->file = source->file != NULL ? source->file : scene_folder_only_image(import, folders[i]);
+        free(folders[i]);
     }
+    free(stem);
     return source->file != NULL;
 }

@@ -19,6 +19,8 @@ struct scene_import_folder {
     const char *path;
     char **names;
     size_t count, capacity;
+    bool is_looked_through; // for its only image
+    const char *only;       // NULL if there is none, or more
 };
 
 static int compare_names(const void *a, const void *b)
@@ -52,10 +54,10 @@ static void read_names(struct scene_import *import, struct scene_import_folder *
 }
 
 // Return the folder at a path, which has no names if there is none. Return NULL if there were too many.
-static const struct scene_import_folder *open_folder(struct scene_import *import, const char *path)
+static struct scene_import_folder *open_folder(struct scene_import *import, const char *path)
 {
     int count = 0;
-    for (const struct scene_import_folder *known = import->folders; known != NULL; known = known->next) {
+    for (struct scene_import_folder *known = import->folders; known != NULL; known = known->next) {
         if (strcmp(known->path, path) == 0) {
             return known;
         }
@@ -73,7 +75,7 @@ static const struct scene_import_folder *open_folder(struct scene_import *import
 }
 
 // Return the folder that holds the last component of `path`.
-static const struct scene_import_folder *folder_of(struct scene_import *import, char *path, char *component)
+static struct scene_import_folder *folder_of(struct scene_import *import, char *path, char *component)
 {
     if (component == path) {
         return open_folder(import, ".");
@@ -82,7 +84,7 @@ static const struct scene_import_folder *folder_of(struct scene_import *import, 
         return open_folder(import, "/");
     }
     component[-1] = 0;
-    const struct scene_import_folder *const folder = open_folder(import, path);
+    struct scene_import_folder *const folder = open_folder(import, path);
     component[-1] = '/';
     return folder;
 }
@@ -183,27 +185,71 @@ bool scene_folder_find(struct scene_import *import, char *path, size_t known, bo
     return scene_import_is_file(import, path);
 }
 
-const char *scene_folder_only_image(struct scene_import *import, const char *path)
+// Return the number of the ending of an image that may be taken though nothing names it. Return ENDINGS for other
+// names, and for images of formats that rhw writes: one may be a picture of the model, drawn by an earlier run.
+static int loose_ending_of(const char *name)
 {
-    const size_t length = strlen(path);
-    char *const copied = scene_import_allocate(import, length + 256 + 1, 1);
-    strcpy(copied, path);
-    const struct scene_import_folder *const folder = folder_of(import, copied, copied + length);
-    const char *only = NULL;
-    size_t count = 0;
+    static const char *const written[] = {"png", "jpg", "jpeg", "webp", "exr", "ppm"};
+    const int ending = ending_of(name);
+    bool is_loose = ending < READ_ENDINGS;
+    for (size_t i = 0; i < sizeof written / sizeof written[0] && is_loose; i++) {
+        is_loose = strcmp(endings[ending], written[i]) != 0;
+    }
+    return is_loose ? ending : ENDINGS;
+}
+
+// Return the path of a name in the folder at `path` if it is a file, or NULL.
+static const char *file_in(struct scene_import *import, const char *path, const char *name)
+{
+    char *const file = scene_import_allocate(import, strlen(path) + strlen(name) + 1, 1);
+    strcat(strcpy(file, path), name);
+    if (scene_import_is_file(import, file)) {
+        return file;
+    }
+    free(file);
+    return NULL;
+}
+
+// Return the folder at a path that ends with a slash.
+static struct scene_import_folder *folder_at(struct scene_import *import, const char *path)
+{
+    char *const copied = copy(import, path);
+    struct scene_import_folder *const folder = folder_of(import, copied, copied + strlen(copied));
+    free(copied);
+    return folder;
+}
+
+const char *scene_folder_own_image(struct scene_import *import, const char *path, const char *stem)
+{
+    const struct scene_import_folder *const folder = folder_at(import, path);
+    const size_t length = strlen(stem);
+    const char *found = NULL;
+    int least = ENDINGS;
     for (size_t i = 0; folder != NULL && i < folder->count; i++) {
         const char *const name = folder->names[i];
-        if (ending_of(name) < READ_ENDINGS && strlen(name) < 256) {
-            strcpy(copied + length, name);
-            const bool is_file = scene_import_is_file(import, copied);
-            only = is_file ? name : only;
-            count += is_file;
+        if (strncasecmp(name, stem, length) == 0 && strrchr(name, '.') == name + length &&
+            loose_ending_of(name) < least) {
+            found = name;
+            least = loose_ending_of(name);
         }
     }
-    if (count == 1) {
-        strcpy(copied + length, only);
-        return copied;
+    return found == NULL ? NULL : file_in(import, path, found);
+}
+
+const char *scene_folder_only_image(struct scene_import *import, const char *path)
+{
+    struct scene_import_folder *const folder = folder_at(import, path);
+    if (folder == NULL || folder->is_looked_through) {
+        return folder == NULL ? NULL : folder->only;
     }
-    free(copied);
-    return NULL;
+    int count = 0;
+    for (size_t i = 0; i < folder->count && count < 2; i++) {
+        const char *const file =
+            loose_ending_of(folder->names[i]) < ENDINGS ? file_in(import, path, folder->names[i]) : NULL;
+        count += file != NULL;
+        folder->only = count == 1 && file != NULL ? file : folder->only;
+    }
+    folder->only = count == 1 ? folder->only : NULL;
+    folder->is_looked_through = true;
+    return folder->only;
 }

@@ -10,8 +10,10 @@
 /// SCENE_FOLDER_ENDING bytes more and becomes the path of the file.
 bool scene_folder_find(struct scene_import *import, char *path, size_t known, bool any_ending);
 
-/// Return the path of the only image that may be read in the folder at `path`, which ends with a slash. Return NULL if
-/// there is none, or more.
+/// Return the path of the image that is called `stem`, in any letters, or of the only one, in the folder at `path`,
+/// which ends with a slash. Return NULL if there is none, or more. Images of formats that rhw writes (PNG, JPEG, WebP,
+/// EXR and PPM) do not count, as one may be a picture of the model: two runs would draw two pictures.
+const char *scene_folder_own_image(struct scene_import *import, const char *path, const char *stem);
 const char *scene_folder_only_image(struct scene_import *import, const char *path);
 
 enum { SCENE_FOLDER_ENDING = 8 };

@@ -60,15 +60,21 @@ static void test_skins(void **state)
         bool is_told;
     } cases[] = {
         {"models/a/b.pcx", {"s/b.ppm"}, "b.ppm", false},
-        {"b.pcx", {"s/x.ppm", "s/c.ppm"}, "x.ppm", true},
-        {"", {"s/x.ppm", "s/c.ppm"}, "x.ppm", true},
-        {"b.pcx", {"s/skin.ppm", "s/c.ppm"}, "skin.ppm", true},
-        {"b.pcx", {"skin.ppm", "s/c.ppm"}, "skin.ppm", true},
-        {"b.pcx", {"s/c.ppm", NULL}, "c.ppm", true},
-        {"b.pcx", {"c.ppm", NULL}, "c.ppm", true},
-        {"b.pcx", {"s/c.ppm", "s/d.ppm"}, NULL, true},
-        {"b.pcx", {"c.ppm", "d.ppm"}, NULL, true},
+        {"b.pcx", {"s/X.pgm", "s/c.pgm"}, "X.pgm", true},
+        {"", {"s/x.pgm", "s/c.pgm"}, "x.pgm", true},
+        {"b.pcx", {"s/skin.ppm", "s/c.pgm"}, "skin.ppm", true},
+        {"b.pcx", {"skin.ppm", "s/c.pgm"}, "skin.ppm", true},
+        {"b.pcx", {"s/c.pgm", NULL}, "c.pgm", true},
+        {"b.pcx", {"c.pgm", NULL}, "c.pgm", true},
+        {"b.pcx", {"s/c.pgm", "s/d.pgm"}, NULL, true},
+        {"b.pcx", {"c.pgm", "d.pgm"}, NULL, true},
         {"", {NULL, NULL}, NULL, false},
+        // Pictures of models that were drawn into the folder are no skins, nor do they hide one.
+        {"", {"s/x.ppm", NULL}, NULL, false},
+        {"", {"s/y.md2.png", NULL}, NULL, false},
+        {"", {"x.webp", "s/x.exr"}, NULL, false},
+        {"", {"s/x.png", "s/x.pgm"}, "x.pgm", true},
+        {"b.pcx", {"s/x.ppm", "s/c.pgm"}, "c.pgm", true},
     };
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         assert_int_equal(mkdir(path_of("g"), 0700) | mkdir(path_of("g/s"), 0700), 0);
