@@ -156,6 +156,7 @@ static const char *decode_webp(const unsigned char *bytes, size_t size, struct s
     return NULL;
 }
 
+static const char unknown_marker[] = "unknown marker"; // as stb_image says it
 static const char unknown[] = "not an image format that can be read";
 
 // Decode by stb_image, which takes the bytes by `supply` unless that is NULL.
@@ -281,12 +282,18 @@ static const char *decode_endless(const unsigned char *bytes, size_t size, struc
 
 // Decode a JPEG some of whose scans have a last byte of 0xff that is not needed.
 // stb_image before version 2.28 takes it for a mark. It is replaced where the rest cannot be decoded with it, which
-// shows that nothing has read it.
+// shows that nothing has read it. Each place is decoded once more, so that large images have fewer.
 static const char *decode_tailed(const unsigned char *bytes, size_t size, struct scene_image *image)
 {
-    enum { MOST = 32, TAIL = 0xff, OTHER = 0xfe };
+    enum { MOST = 16, MOST_TEXELS = 1 << 28, TAIL = 0xff, OTHER = 0xfe };
+    uint32_t width = 1, height = 1;
+    scene_jpeg_size(bytes, size, &width, &height);
+    const size_t room = MOST_TEXELS / ((size_t)width * height + 1) + 1;
     size_t places[MOST];
-    const size_t count = scene_jpeg_tails(bytes, size, MOST, places);
+    const size_t count = scene_jpeg_tails(bytes, size, room < MOST ? room : MOST, places);
+    if (count == 0) {
+        return unknown_marker;
+    }
     unsigned char *const changed = malloc(size);
     if (changed == NULL) {
         return "outofmem";
@@ -324,7 +331,7 @@ static const char *decode_jpeg(const unsigned char *bytes, size_t size, struct s
     }
     const char *problem =
         lacks_end ? decode_endless(bytes, size, image) : decode_by_stb(bytes, size, NULL, image);
-    if (problem != NULL && strcmp(problem, "unknown marker") == 0) {
+    if (problem != NULL && strcmp(problem, unknown_marker) == 0) {
         problem = decode_tailed(bytes, size, image);
     }
     // stb_image tries PNG first. The reason is that of the trial where JPEG fails without one.

@@ -78,6 +78,9 @@ static struct image_file jpeg_of(const char *frame, size_t frame_size, bool has_
 #define PROGRESSIVE "\xff\xc2\0\x0b\x08\0\x80\0\x08\1\1\x11\0"
 #define FIRST_SCAN  "\xff\xda\0\x08\1\1\0\0\0\0"
 #define OTHERS      "\xff\xda\0\x08\1\1\0\1\x3f\0"
+#define TAILED      "\0\0\0\0\0\0\0\0\xff\0"
+#define LIKE_TAIL   "\xff\0\xff\xc1"
+#define LIKE_FIVE   LIKE_TAIL LIKE_TAIL LIKE_TAIL LIKE_TAIL LIKE_TAIL
 #define REFINEMENT  "\xff\xda\0\x08\1\1\0\0\0\x10"
 #define THREE       "\xff\xc0\0\x11\x08\0\x80\0\x08\3\1\x11\0\2\x11\0\3\x11\0"
 
@@ -121,6 +124,10 @@ static void test_jpeg_gaps(void **state)
          false, NULL},
         {BYTES(BASELINE), BYTES(SCAN DATA "\0\0\0\0\0\0\0\xff\0" MARK), true, false, false,
          "damaged JPEG: a table of quantization is not there"},
+        // Places in comments look like it. Of all, up to 16 are looked at.
+        {BYTES(PROGRESSIVE),
+         BYTES(FIRST_SCAN "\xbf\0\1\xff\xfe\0\x3e" LIKE_FIVE LIKE_FIVE LIKE_FIVE OTHERS TAILED MARK), false,
+         false, false, NULL},
         {BYTES(PROGRESSIVE), BYTES(FIRST_SCAN "\xbf\0\1" MARK), false, true, false, NULL},
         {BYTES(PROGRESSIVE), BYTES(FIRST_SCAN "\xbf\0\1" OTHERS "\0\0" MARK), false, false, false, NULL},
         {BYTES(PROGRESSIVE), BYTES(FIRST_SCAN "\xbf\0\1" OTHERS "\0\0"), false, false, true, NULL},

@@ -124,12 +124,14 @@ static void test_textures_of_materials(void **state)
          false,
          {physical, normals}},
         // One that is left out may hold a comment, and others whose names begin as its own does.
-        {"<Material><ImageTexture containerField='normalTexture' url='\"b.tga\"'><!-- c --><ImageTextureProperties>"
+        {"<Material><ImageTexture containerField='normalTexture' url='\"b.tga\"'><!-- c "
+         "--><ImageTextureProperties>"
          "</ImageTextureProperties ><MetadataString value='m'/></ImageTexture ></Material>"
          "<ImageTexture url='\"a.tga\"'/>",
          true,
          {normals}},
-        {"<Material><MultiTexture containerField='normalTexture'><ImageTexture url='\"b.tga\"'/><MultiTexture>"
+        {"<Material><MultiTexture containerField='normalTexture'><ImageTexture "
+         "url='\"b.tga\"'/><MultiTexture>"
          "</MultiTexture></MultiTexture><ImageTexture url='\"a.tga\"'/></Material>",
          true,
          {normals, "textures above each other: not drawn"}},
