@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Image files are read by the file of their format beside this one, through libwebp, or through stb_image. The size is
 // read first, so that a small file cannot ask for more memory than the largest texture takes. stb_image's decoders of
-// GIF and PIC are left out, because its known faults lie there.
+// GIF, PIC and PNM are left out, because its known faults lie there.
 #include "read.h"
 
 #include <errno.h>
@@ -18,6 +18,7 @@
 #include "jpeg.h"
 #include "ktx2.h"
 #include "png.h"
+#include "pnm.h"
 #include "radiance.h"
 #include "reduce.h"
 #include "sgi.h"
@@ -31,6 +32,7 @@
 #define STBI_NO_STDIO
 #define STBI_NO_GIF
 #define STBI_NO_PIC
+#define STBI_NO_PNM
 #define STBI_MAX_DIMENSIONS 16384
 // What a damaged file leaves unwritten is 0, so that it is drawn alike everywhere and shows nothing of other memory.
 #define STBI_MALLOC(size)          calloc(1, size)
@@ -209,7 +211,7 @@ static const char *decode_by_stb(const unsigned char *bytes, size_t size, struct
     return NULL;
 }
 
-// Decode TGA, BMP, PSD, PNM and Radiance HDR. stb_image takes what is missing at the end of them for zeros.
+// Decode TGA, BMP, PSD and Radiance HDR. stb_image takes what is missing at the end of them for zeros.
 static const char *decode_other(const unsigned char *bytes, size_t size, struct scene_image *image)
 {
     struct supply supply = {.bytes = bytes, .size = size};
@@ -381,6 +383,7 @@ static const struct reader *reader_of(const unsigned char *bytes, size_t size, c
         [SCENE_FORMAT_AVIF] = {"an AVIF image, which this build does not read",
                                SCENE_AVIF ? scene_image_decode_avif : NULL, NULL},
         [SCENE_FORMAT_SGI] = {NULL, scene_image_decode_sgi, scene_sgi_size},
+        [SCENE_FORMAT_PNM] = {NULL, scene_image_decode_pnm, scene_pnm_size},
         [SCENE_FORMAT_UNREAD] = {NULL, NULL, NULL},
     };
     const struct reader *const reader = &readers[scene_image_format(bytes, size, refusal)];

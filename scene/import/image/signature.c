@@ -36,6 +36,8 @@ static const struct signature {
     {SIGNATURE(0, "PVR\x03"), SCENE_FORMAT_UNREAD, "a PVR texture, which is not read"},
     {SIGNATURE(0, "<svg"), SCENE_FORMAT_UNREAD, "an SVG drawing, which is not read"},
     {SIGNATURE(0, "\x01\xda"), SCENE_FORMAT_SGI, NULL},
+    {SIGNATURE(0, "P5"), SCENE_FORMAT_PNM, NULL},
+    {SIGNATURE(0, "P6"), SCENE_FORMAT_PNM, NULL},
     {SIGNATURE(0, "\x53\x80\xf6\x34"), SCENE_FORMAT_UNREAD, "a PIC image, which is not read"},
 };
 

@@ -17,6 +17,7 @@ enum scene_image_format {
     SCENE_FORMAT_GIF,
     SCENE_FORMAT_AVIF,
     SCENE_FORMAT_SGI,
+    SCENE_FORMAT_PNM,
     SCENE_FORMAT_UNREAD, ///< a format that is known and not read
 };
 
