@@ -15,9 +15,10 @@ RHW_INLINE void repeat_texels(unsigned char *texels, const unsigned char *consta
                               size_t stride)
 {
     const size_t bytes = RHW_LANES * size;
-    unsigned char small[16]; // bytes that are no whole vector: 8 or 16
+    const size_t part = bytes % sizeof(i32x8); // bytes that are no whole vector: 0, 8 or 16
+    unsigned char small[16];
     i32x8 vector[RHW_LANES * RHW_TEXEL_BYTES / sizeof(i32x8)];
-    memcpy(small, constant, bytes < sizeof small ? bytes : sizeof small);
+    memcpy(small, constant, part);
     for (size_t i = 0; i < bytes / sizeof *vector; i++) {
         vector[i] = i32x8_load(constant + i * sizeof *vector);
     }
@@ -26,9 +27,7 @@ RHW_INLINE void repeat_texels(unsigned char *texels, const unsigned char *consta
         for (size_t i = 0; i < bytes / sizeof *vector; i++) {
             i32x8_store(to + i * sizeof *vector, vector[i]);
         }
-        if (bytes < sizeof *vector) {
-            memcpy(to, small, bytes);
-        }
+        memcpy(to, small, part);
     }
 }
 
