@@ -3,6 +3,7 @@
 // bind_vertex_input says the set that is meant. assimp 5.2.5 takes the first number in the name for the set, so that
 // a CHANNEL1 of 3ds Max, which is bound to set 0, reads a second set. It also counts the sets of a mesh from 0 on,
 // whatever their numbers are. The number that assimp is to take replaces the name, and blanks fill what is left of it.
+// Exporters of Blender 2.4 bind set 1 where the inputs have no numbers, which makes them set 0.
 #include "assimp.h"
 #include "collada_markup.h"
 
@@ -119,15 +120,15 @@ static void sort_bindings(struct sets *sets)
     sets->count = kept;
 }
 
-// Return the set that a name means. A name that nothing binds means the set of its number if there is one, else the
-// first.
+// Return the set that a name means. A name that nothing binds, or binds to a set that no mesh has, means the set of its
+// number if there is one, else the first.
 static unsigned find_set(const struct sets *sets, struct scene_collada_value name)
 {
     const struct binding key = {.name = name};
     const struct binding *const found =
         sets->count == 0 ? NULL
                          : bsearch(&key, sets->bindings, sets->count, sizeof *sets->bindings, compare_names);
-    if (found != NULL) {
+    if (found != NULL && (found->set >= SETS || sets->first[found->set] != 0)) {
         return found->set;
     }
     const unsigned number = find_number(name, 0);

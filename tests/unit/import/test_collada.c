@@ -118,6 +118,7 @@ static void write_sets(const char *inputs, const char *name, const char *binding
 
 #define INPUT(source, set) \
     "<input semantic=\"TEXCOORD\" source=\"#t" source "\" offset=\"1\" set=\"" set "\"/>"
+#define UNNUMBERED "<input semantic=\"TEXCOORD\" source=\"#t1\" offset=\"1\"/>"
 #define BINDING(name, set) \
     "<bind_vertex_input semantic=\"" name "\" input_semantic=\"TEXCOORD\" input_set=\"" set "\"/>"
 
@@ -138,6 +139,8 @@ static void test_texture_coordinate_sets(void **state)
         {INPUT("1", "3") INPUT("2", "5"), "UV", BINDING("UV", "5") BINDING("UV", "3"), 0.5f},
         {INPUT("1", "0"), "8bit_2K_png", BINDING("8bit_2K_png", "0"), 0.25f},
         {INPUT("1", "0"), "8bit_2K_png", "", 0.25f},
+        {UNNUMBERED, "CHANNEL1", BINDING("CHANNEL1", "1"), 0.25f},
+        {INPUT("1", "2") INPUT("2", "3"), "UV", BINDING("UV", "1"), 0.25f},
         {INPUT("1", "0") INPUT("2", "1"), "UVSET1", "", 0.5f},
         {INPUT("1", "0"), "map-16", "<bind_vertex_input input_semantic = 'TEXCOORD'\n semantic='map-16'/>",
          0.25f},
