@@ -375,6 +375,9 @@ static void glow_through_texture(const struct scene_import *import, struct scene
     }
 }
 
+// The material that assimp gives to faces of a 3DS that have none, in a dark grey.
+static const char default_of_3ds[] = "%%%DEFAULT";
+
 uint32_t scene_assimp_material(struct scene_import *import, const struct aiScene *scene,
                                const struct aiMaterial *source, bool colored)
 {
@@ -388,7 +391,8 @@ uint32_t scene_assimp_material(struct scene_import *import, const struct aiScene
     phong.colored = colored;
     phong.described =
         get_color(&reader, "$clr.base", phong.diffuse) || get_color(&reader, "$clr.diffuse", phong.diffuse);
-    if (strcmp(phong.name, AI_DEFAULT_MATERIAL_NAME) == 0 && is_default_grey(phong.diffuse)) {
+    if ((strcmp(phong.name, AI_DEFAULT_MATERIAL_NAME) == 0 && is_default_grey(phong.diffuse)) ||
+        strcmp(phong.name, default_of_3ds) == 0) {
         phong.described = false;
     }
     get_color(&reader, "$clr.specular", phong.specular);

@@ -403,6 +403,23 @@ static void test_parts_without_groups(void **state)
     }
 }
 
+// Faces without a material are as light as those of other formats.
+static void test_no_material(void **state)
+{
+    (void)state;
+    static const float points[][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    struct chunks chunks = {.size = 0};
+    const size_t file = begin(&chunks, 0x4d4d), editor = begin(&chunks, 0x3d3d);
+    put_faces(&chunks, points, 3, (const unsigned[][3]){{0, 1, 2}}, 1);
+    end(&chunks, editor);
+    end(&chunks, file);
+    write_bytes("n.3ds", chunks.bytes, chunks.size);
+    struct scene_model *const model = load("n.3ds");
+    assert_floats(model->materials[model->meshes[0].material].base_color,
+                  (const float[]){0.6f, 0.6f, 0.6f, 1}, 4, 0);
+    scene_model_free(model);
+}
+
 // A camera looks at its target. Its axes have length 1 and stand upright on each other.
 static void test_camera(void **state)
 {
@@ -563,7 +580,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_many_flat_faces), cmocka_unit_test(test_told),
     cmocka_unit_test(test_wires),           cmocka_unit_test(test_decal),
     cmocka_unit_test(test_zeros),           cmocka_unit_test(test_parts_without_groups),
-    cmocka_unit_test(test_camera),
+    cmocka_unit_test(test_camera),          cmocka_unit_test(test_no_material),
 };
 
 const struct unit_tests test_3ds = UNIT_TESTS(tests, make_directory, remove_directory);
