@@ -79,8 +79,8 @@ static bool is_image(const struct scene_import *import, uint32_t number, const c
     const struct scene_import_source *other = &import->sources[number];
     return same_text(other->file, source->file) && other->bytes == source->bytes &&
            other->height == source->height && other->opacity_image == source->opacity_image &&
-           other->is_opacity == source->is_opacity && other->white == source->white &&
-           strcmp(import->model.images[number].name, name) == 0;
+           other->is_opacity == source->is_opacity && other->is_opaque == source->is_opaque &&
+           other->white == source->white && strcmp(import->model.images[number].name, name) == 0;
 }
 
 // Return the image with this source, new or shared with another slot.
@@ -280,8 +280,11 @@ uint32_t scene_phong_add(struct scene_import *import, const struct scene_phong *
     set_base_color(phong, material);
     set_surface(phong, material);
     tell_highlights(import, phong);
-    set_slot(import, &phong->color, &material->slots[SCENE_SLOT_BASE_COLOR]);
     set_opacity(import, phong, material);
+    struct scene_phong_texture color = phong->color;
+    color.source.is_opaque = material->alpha_mode == SCENE_ALPHA_BLEND && phong->opacity_map.name == NULL &&
+                             !color.source.is_opacity && color.source.layer == NULL;
+    set_slot(import, &color, &material->slots[SCENE_SLOT_BASE_COLOR]);
     set_opacity_map(import, phong, material);
     if (!set_slot(import, &phong->normal, &material->slots[SCENE_SLOT_NORMAL]) &&
         phong->height.name != NULL) {

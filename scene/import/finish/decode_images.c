@@ -143,6 +143,18 @@ static void apply_opacity(struct scene_import *import, struct scene_image *image
     scene_image_find_alpha(image);
 }
 
+static void drop_alpha(struct scene_import *import, struct scene_image *image)
+{
+    if (image->missing || !image->has_alpha || !scene_import_make_rgba8(import, image)) {
+        return;
+    }
+    uint8_t *const texels = image->texels;
+    for (size_t i = 3; i < image->size; i += 4) {
+        texels[i] = UINT8_MAX;
+    }
+    image->has_alpha = false;
+}
+
 static bool is_grey(const struct scene_image *image)
 {
     // The tolerance is of 255. JPEG does not keep grey exactly.
@@ -337,6 +349,9 @@ void scene_import_decode_images(struct scene_import *import)
         if (import->sources[i].opacity_image >= 0) {
             apply_opacity(import, &model->images[i], &model->images[import->sources[i].opacity_image],
                           import->sources[i].white);
+        }
+        if (import->sources[i].is_opaque) {
+            drop_alpha(import, &model->images[i]);
         }
         if (import->sources[i].height) {
             height_to_normals(import, &model->images[i]);

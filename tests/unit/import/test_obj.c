@@ -139,6 +139,37 @@ static void test_opacity_maps(void **state)
     }
 }
 
+// The alpha of a colour's texture is none of the material's, unless the file says so, also where the material lets
+// light through.
+static void test_alpha_of_colors(void **state)
+{
+    (void)state;
+    const unsigned char bytes[26] = {[2] = 2, [12] = 2, [14] = 1, [16] = 32, [17] = 8, [18] = 3, 2,
+                                     1,       128,      6,        5,         4,        0};
+    write_bytes("clear.tga", bytes, sizeof bytes);
+    static const struct {
+        const char *lines;
+        enum scene_alpha_mode mode;
+        float opacity;
+        uint8_t alphas[2];
+    } cases[] = {
+        {"d 0.5\nmap_Kd clear.tga\n", SCENE_ALPHA_BLEND, 0.5f, {255, 255}},
+        {"d 0.5\nmap_Kd clear.tga\nmap_d clear.tga\n", SCENE_ALPHA_BLEND, 0.5f, {128, 0}},
+        {"map_Kd clear.tga\n", SCENE_ALPHA_OPAQUE, 1, {128, 0}},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        struct scene_model *const model = load_material(cases[i].lines);
+        const struct scene_material *const material = material_of(model);
+        const uint8_t *const texels = model->images[material->slots[SCENE_SLOT_BASE_COLOR].image].texels;
+        assert_int_equal(material->alpha_mode, cases[i].mode);
+        assert_floats(&material->base_color[3], &cases[i].opacity, 1, 0);
+        assert_int_equal(texels[3], cases[i].alphas[0]);
+        assert_int_equal(texels[7], cases[i].alphas[1]);
+        assert_int_equal(texels[4], 4);
+        scene_model_free(model);
+    }
+}
+
 // Heights become normals by central differences, around the edges too: 255 stands for 4 texels. Normals stay what they are.
 static void test_heights(void **state)
 {
@@ -496,6 +527,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_missing_surface_map),
     cmocka_unit_test(test_emission_and_relief),
     cmocka_unit_test(test_opacity_maps),
+    cmocka_unit_test(test_alpha_of_colors),
     cmocka_unit_test(test_heights),
     cmocka_unit_test(test_factors),
     cmocka_unit_test(test_comments),
