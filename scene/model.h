@@ -231,6 +231,8 @@ struct scene_model {
     /// The direction that the format says. Where the format says little, the side that the model stands on tells it.
     enum scene_axis up;
     bool up_guessed;
+    /// With y up, the model faces −z, as avatars of VRM 0 do.
+    bool faces_back;
     bool doubts_cameras; ///< the format is one whose cameras are often wrong
     /// Every instance is of triangles, and no triangle has an area. A warning says so.
     bool lacks_area;

@@ -56,6 +56,8 @@ static PyObject *camera_fit(PyObject *module, PyObject *arguments)
     } else if (!python_is_tuple(angles, "orbit") ||
                !PyArg_ParseTuple(angles, "dd:orbit", &framing.orbit.azimuth, &framing.orbit.elevation)) {
         return NULL;
+    } else {
+        framing.orbit.azimuth += scene_camera_front(model);
     }
     framing.orbit.up = axis;
     framing.orbit.whole = whole != 0;

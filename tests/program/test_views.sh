@@ -45,6 +45,16 @@ refuse 2 "--views: cannot be together with --camera-index" render cube.obj -o a.
 refuse 2 "--stats: cannot be together with --views" render cube.obj -o a.png --views top --stats
 refuse 2 ".*{view} needs --views" render cube.obj -o '{view}.png'
 
+# An avatar of VRM 0 has its front where glTF has the back, and one of VRM 1 does not.
+make_moving first
+for version in '"VRM"' '"VRMC_vrm"'; do
+    sed 's/"scene": 0/"extensionsUsed": ['"$version"'], &/' first.gltf >"avatar.gltf"
+    succeed render avatar.gltf --size 48 --views front -o avatar.png -q
+    [ "$version" = '"VRM"' ] && view=back || view=front
+    succeed render first.gltf --size 48 --views "$view" -o plain.png -q
+    check "the front with $version" cmp avatar.png plain.png
+done
+
 # Several models.
 cp cube.obj other.obj
 succeed render cube.obj other.obj --size 32 -o 'pictures-{name}.png'

@@ -458,3 +458,21 @@ def test_masked_arrays(square):
     within.append(within)
     with pytest.raises(TypeError, match="^vertices: cannot be read as an array"):
         rhw.Model(within, faces)
+
+
+@pytest.mark.filterwarnings("ignore:.*extension VRM")
+def test_avatars_of_vrm_0_look_back(tmp_path):
+    """Their front, which orbits count from, is where other models have their back."""
+    import base64
+    import json
+    triangle = base64.b64encode(np.array([(0, 0, 0), (1, 0, 0), (0, 1, 0.5)], "<f4").tobytes()).decode()
+    scene = {"asset": {"version": "2.0"}, "extensionsUsed": ["VRM"], "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+             "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+             "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}],
+             "bufferViews": [{"buffer": 0, "byteLength": 36}],
+             "buffers": [{"byteLength": 36, "uri": "data:application/octet-stream;base64," + triangle}]}
+    (tmp_path / "avatar.gltf").write_text(json.dumps(scene))
+    del scene["extensionsUsed"]
+    (tmp_path / "plain.gltf").write_text(json.dumps(scene))
+    avatar, plain = (rhw.load(tmp_path / f"{name}.gltf") for name in ("avatar", "plain"))
+    assert avatar.render(32, rhw.Camera.orbit(190, 20)).png() == plain.render(32, rhw.Camera.orbit(10, 20)).png()

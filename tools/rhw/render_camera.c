@@ -64,9 +64,9 @@ static struct scene_camera fit(const struct cli_render_job *job, const struct sc
                                const double *turn_center)
 {
     const enum scene_axis up = job->has_up ? job->up : model->up;
-    struct scene_orbit orbit = job->camera == CLI_CAMERA_ORBIT || job->camera == CLI_CAMERA_VIEWS
-                                   ? job->orbit
-                                   : scene_camera_default_orbit(model, up);
+    const bool is_chosen = job->camera == CLI_CAMERA_ORBIT || job->camera == CLI_CAMERA_VIEWS;
+    struct scene_orbit orbit = is_chosen ? job->orbit : scene_camera_default_orbit(model, up);
+    orbit.azimuth += is_chosen ? scene_camera_front(model) : 0.0;
     orbit.up = up;
     orbit.whole = job->fit_all;
     orbit.turns = turn_center != NULL;

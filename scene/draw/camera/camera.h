@@ -44,6 +44,9 @@ double scene_camera_default_yfov(void);
 /// Return the part of the picture that a fitted camera leaves free on each side.
 double scene_camera_fit_margin(void);
 
+/// Return the azimuth of a model's front: 0, or 180 for one that faces back.
+double scene_camera_front(const struct scene_model *model);
+
 /// Return the angle from which a model shows best: from the front, a little to the side and from above. A flat model
 /// shows best from the side that it faces. Where next to nothing is seen, because all of it stands edge-on, the angle
 /// is that of the side that most of its surface faces, if it covers more than 16 times as many pixels then.

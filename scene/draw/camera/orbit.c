@@ -199,6 +199,11 @@ static struct scene_orbit turn_from_edge(const struct scene_model *model, struct
     return count_cells(model, &turned, much) >= much ? turned : orbit;
 }
 
+double scene_camera_front(const struct scene_model *model)
+{
+    return model->faces_back ? 180.0 : 0.0;
+}
+
 struct scene_orbit scene_camera_default_orbit(const struct scene_model *model, enum scene_axis up)
 {
     const double flat = 0.06;
@@ -210,7 +215,7 @@ struct scene_orbit scene_camera_default_orbit(const struct scene_model *model, e
         extent[i] = frame.high[world] - frame.low[world];
         largest = extent[i] > largest ? extent[i] : largest;
     }
-    struct scene_orbit orbit = {.azimuth = 30.0, .elevation = 20.0, .up = up};
+    struct scene_orbit orbit = {.azimuth = scene_camera_front(model) + 30.0, .elevation = 20.0, .up = up};
     if (extent[2] <= flat * largest) {
         orbit.azimuth = faces_back(model, up, 2) ? 180.0 : 0.0;
         orbit.elevation = 0.0;

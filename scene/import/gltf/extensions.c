@@ -105,6 +105,8 @@ static void list_extensions(struct scene_gltf *gltf)
     for (size_t i = 0; i < most; i++) {
         const char *const name = json_string_value(json_array_get(used, i));
         if (name != NULL) {
+            // VRM 0 alone. Avatars of VRM 1, which is VRMC_vrm, look where glTF has the front.
+            model->faces_back = model->faces_back || strcmp(name, "VRM") == 0;
             model->extensions[model->extension_count++] =
                 (struct scene_model_extension){.name = scene_import_string(gltf->import, name, strlen(name)),
                                                .is_required = lists(gltf, "extensionsRequired", name),

@@ -493,6 +493,22 @@ static void test_visibility(void **state)
     scene_model_free(model);
 }
 
+// Avatars of VRM 0 look towards −z, those of VRM 1 towards +z.
+static void test_avatars(void **state)
+{
+    (void)state;
+    for (int version = 0; version < 2; version++) {
+        write_format(
+            "avatar.gltf",
+            "{\"asset\":{\"version\":\"2.0\"},\"extensionsUsed\":[\"%s\"],\"scenes\":[{\"nodes\":[0]}],"
+            "\"nodes\":[{\"name\":\"a\"}]}",
+            version == 0 ? "VRM" : "VRMC_vrm");
+        struct scene_model *const model = load("avatar.gltf");
+        assert_true(model->faces_back == (version == 0));
+        scene_model_free(model);
+    }
+}
+
 // Against the rules, but drawn elsewhere: once, with a warning.
 static void test_root_and_child(void **state)
 {
@@ -731,6 +747,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_other_images),
     cmocka_unit_test(test_instancing),
     cmocka_unit_test(test_visibility),
+    cmocka_unit_test(test_avatars),
     cmocka_unit_test(test_root_and_child),
     cmocka_unit_test(test_variants),
     cmocka_unit_test(test_layers),

@@ -185,6 +185,21 @@ static void test_default_orbit_faces_flat_models(void **state)
     }
 }
 
+static void test_default_orbit_shows_the_front(void **state)
+{
+    (void)state;
+    struct tiny t;
+    tiny_make(&t);
+    t.positions[0][2] = t.positions[2][2] = 1.0f; // no longer flat
+    tiny_set_bounds(&t);
+    for (int back = 0; back < 2; back++) {
+        t.model.faces_back = back != 0;
+        tiny_assert_close(scene_camera_default_orbit(&t.model, SCENE_AXIS_Y).azimuth, 30.0 + 180.0 * back,
+                          0.0);
+        tiny_assert_close(scene_camera_front(&t.model), 180.0 * back, 0.0);
+    }
+}
+
 // Make the square stand edge-on in the default picture, turned by `degrees` around its upper edge, and face as the
 // winding says. Write its normal.
 static void stand_edge_on(struct tiny *t, enum scene_axis up, double degrees, double normal[3])
@@ -604,6 +619,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_fit_angles),
     cmocka_unit_test(test_fit_of_degenerate_models),
     cmocka_unit_test(test_default_orbit_faces_flat_models),
+    cmocka_unit_test(test_default_orbit_shows_the_front),
     cmocka_unit_test(test_default_orbit_turns_from_an_edge),
     cmocka_unit_test(test_default_orbit_shows_a_sliver),
     cmocka_unit_test(test_fit_turns_with_up),
