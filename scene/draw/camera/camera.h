@@ -48,8 +48,9 @@ double scene_camera_fit_margin(void);
 double scene_camera_front(const struct scene_model *model);
 
 /// Return the angle from which a model shows best: from the front, a little to the side and from above. A flat model
-/// shows best from the side that it faces. Where next to nothing is seen, because all of it stands edge-on, the angle
-/// is that of the side that most of its surface faces, if it covers more than 16 times as many pixels then.
+/// shows best from the side that it faces, but from above if it can be seen from there. Where next to nothing is seen,
+/// because all of it stands edge-on, the angle is that of the side that most of its surface faces, if it covers more
+/// than 16 times as many pixels then.
 struct scene_orbit scene_camera_default_orbit(const struct scene_model *model, enum scene_axis up);
 
 /// Return the camera at the orbit's angles that is as near as it can be with every vertex of the subject in the picture

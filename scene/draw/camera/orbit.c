@@ -53,14 +53,16 @@ static void add_area(struct areas *areas, const struct scene_instance *instance,
     }
 }
 
-static struct areas sum_areas(const struct scene_model *model)
+// With `one_sided`, triangles that are drawn from both sides do not count.
+static struct areas sum_areas(const struct scene_model *model, bool one_sided)
 {
     struct areas areas = {0};
     for (uint32_t i = 0; i < model->instance_count; i++) {
         const struct scene_instance *instance = &model->instances[i];
         const struct scene_mesh *mesh = &model->meshes[instance->mesh];
-        for (uint32_t k = 0; k + 2 < mesh->index_count && mesh->primitive == SCENE_PRIMITIVE_TRIANGLES;
-             k += 3) {
+        const bool counts = mesh->primitive == SCENE_PRIMITIVE_TRIANGLES &&
+                            !(one_sided && model->materials[mesh->material].double_sided);
+        for (uint32_t k = 0; k + 2 < mesh->index_count && counts; k += 3) {
             double p[3][3], area[3];
             for (int c = 0; c < 3; c++) {
                 scene_place_point(instance->world, mesh->positions[mesh->indices[k + (uint32_t)c]], p[c]);
@@ -88,12 +90,12 @@ static int turned_axis(enum scene_axis up, int axis, bool *against)
 }
 
 // Return true if a model that is flat along an axis, counted with y up, faces the far end of that axis. A plate, which
-// faces both, does not: of its areas, rounding alone remains.
+// faces both, does not: of its areas, rounding alone remains. What can be seen from above is not looked at from below.
 static bool faces_back(const struct scene_model *model, enum scene_axis up, int axis)
 {
     bool against;
     const int world = turned_axis(up, axis, &against);
-    const struct areas areas = sum_areas(model);
+    const struct areas areas = sum_areas(model, axis == 1);
     return (against ? -areas.sum[world] : areas.sum[world]) < -least_way * areas.sizes[world];
 }
 
@@ -190,7 +192,7 @@ static struct scene_orbit turn_from_edge(const struct scene_model *model, struct
     if (covered >= ample) {
         return orbit;
     }
-    const struct areas areas = sum_areas(model);
+    const struct areas areas = sum_areas(model, false);
     if (!find_broadside(&areas, direction)) {
         return orbit;
     }

@@ -185,6 +185,24 @@ static void test_default_orbit_faces_flat_models(void **state)
     }
 }
 
+// A flat thing that lies is seen from below where it faces down and is not drawn from above.
+static void test_default_orbit_of_lying_models(void **state)
+{
+    (void)state;
+    struct tiny t;
+    tiny_make(&t);
+    tiny_assert_close(scene_camera_default_orbit(&t.model, SCENE_AXIS_Z).elevation, 40.0, 0.0);
+    t.indices[1] = 2;
+    t.indices[2] = 1;
+    t.indices[4] = 3;
+    t.indices[5] = 2;
+    for (int both = 0; both < 2; both++) {
+        t.material.double_sided = both != 0;
+        tiny_assert_close(scene_camera_default_orbit(&t.model, SCENE_AXIS_Z).elevation, both ? 40.0 : -40.0,
+                          0.0);
+    }
+}
+
 static void test_default_orbit_shows_the_front(void **state)
 {
     (void)state;
@@ -619,6 +637,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_fit_angles),
     cmocka_unit_test(test_fit_of_degenerate_models),
     cmocka_unit_test(test_default_orbit_faces_flat_models),
+    cmocka_unit_test(test_default_orbit_of_lying_models),
     cmocka_unit_test(test_default_orbit_shows_the_front),
     cmocka_unit_test(test_default_orbit_turns_from_an_edge),
     cmocka_unit_test(test_default_orbit_shows_a_sliver),
