@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Indices of Collada for assimp. assimp 5.2.5 reads the list of a <p> for ever where it meets what is no whole number.
-// Blanks replace the list from there on, and assimp then refuses a mesh that has fewer indices than it counts.
+// Indices of Collada for assimp. assimp 5.2.5 reads the list of a <p> for ever where it meets what is no whole number,
+// and takes a negative one for another. Blanks replace the list from there on, and assimp then refuses a mesh that has
+// fewer indices than it counts.
 #include "assimp.h"
 #include "collada_markup.h"
 #include "import/builder/import.h"
@@ -16,7 +17,7 @@ static bool is_digit(char c)
 static char *find_stranger(char *list, char *end)
 {
     for (char *c = list; c < end; c++) {
-        const bool is_sign = (*c == '-' || *c == '+') && c + 1 < end && is_digit(c[1]);
+        const bool is_sign = *c == '+' && c + 1 < end && is_digit(c[1]);
         if (!is_digit(*c) && !is_sign && !scene_collada_is_blank(*c)) {
             return c;
         }

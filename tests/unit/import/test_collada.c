@@ -434,7 +434,7 @@ static void test_polygons(void **state)
 static void test_indices_that_are_none(void **state)
 {
     (void)state;
-    static const char *const words[] = {"2-1e39", "2.5", "two", "-", "0x2"};
+    static const char *const words[] = {"2-1e39", "2.5", "two", "-", "0x2", "-1"};
     for (size_t i = 0; i < sizeof words / sizeof words[0]; i++) {
         char text[8192];
         make_document("", text);
