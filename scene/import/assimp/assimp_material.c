@@ -375,8 +375,12 @@ static void glow_through_texture(const struct scene_import *import, struct scene
     }
 }
 
-// The material that assimp gives to faces of a 3DS that have none, in a dark grey.
-static const char default_of_3ds[] = "%%%DEFAULT";
+// Return true for the material that assimp gives to what has none. That of 3DS and IFC is darker, by another name.
+static bool is_default(const struct scene_phong *phong)
+{
+    return (strcmp(phong->name, AI_DEFAULT_MATERIAL_NAME) == 0 && is_default_grey(phong->diffuse)) ||
+           strcmp(phong->name, "%%%DEFAULT") == 0 || strcmp(phong->name, "<IFCDefault>") == 0;
+}
 
 uint32_t scene_assimp_material(struct scene_import *import, const struct aiScene *scene,
                                const struct aiMaterial *source, bool colored)
@@ -391,8 +395,7 @@ uint32_t scene_assimp_material(struct scene_import *import, const struct aiScene
     phong.colored = colored;
     phong.described =
         get_color(&reader, "$clr.base", phong.diffuse) || get_color(&reader, "$clr.diffuse", phong.diffuse);
-    if ((strcmp(phong.name, AI_DEFAULT_MATERIAL_NAME) == 0 && is_default_grey(phong.diffuse)) ||
-        strcmp(phong.name, default_of_3ds) == 0) {
+    if (is_default(&phong)) {
         phong.described = false;
     }
     get_color(&reader, "$clr.specular", phong.specular);
