@@ -244,3 +244,15 @@ void scene_assimp_find_gaps(struct scene_import *import)
     }
     free(bytes);
 }
+
+void scene_assimp_find_gaps_within(struct scene_import *import, const char *path)
+{
+    const char *problem = NULL;
+    size_t size = 0;
+    char *const bytes = scene_import_read_bytes(path, &size, &problem);
+    if (bytes != NULL) {
+        blank_comments(bytes);
+        look_for_words(import, bytes, size);
+        free(bytes);
+    }
+}

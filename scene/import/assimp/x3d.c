@@ -257,13 +257,12 @@ static void blank_nodes(char *text, size_t size, const struct scene_assimp_unkno
     }
 }
 
-char *scene_assimp_x3d(struct scene_import *import, const struct scene_assimp_unknowns *unknowns,
-                       size_t *size)
+char *scene_assimp_x3d(struct scene_import *import, const char *path,
+                       const struct scene_assimp_unknowns *unknowns, size_t *size)
 {
     const char *problem = NULL;
-    char *const text = strcasecmp(import->ending, "x3d") == 0
-                           ? scene_import_read_bytes(import->model.path, size, &problem)
-                           : NULL;
+    char *const text =
+        strcasecmp(import->ending, "x3d") == 0 ? scene_import_read_bytes(path, size, &problem) : NULL;
     if (text == NULL || strncmp(text, "\xff\xfe", 2) == 0 || strncmp(text, "\xfe\xff", 2) == 0) {
         free(text);
         return NULL;
