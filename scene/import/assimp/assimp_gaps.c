@@ -185,6 +185,8 @@ static void look_for_words(struct scene_import *import, const char *bytes, size_
         {"x3d", "<Background", "the background"},
         {"x3d", "<Fog", "fog"},
         {"x3d", "<ParticleSystem", "particles"},
+        {"x3d", "<RigidBody", "rigid bodies"},
+        {"x3d", "<LayerSet", "layers"},
         {"amf", "<composite", "composite materials"},
         {"amf", "<edge", "curved edges"},
     };

@@ -437,6 +437,8 @@ static void test_words(void **state)
         {"w.x3d", X3D("<Background"), "the background: not drawn"},
         {"w.x3d", X3D("<Fog"), "fog: not drawn"},
         {"w.x3d", X3D("<ParticleSystem"), "particles: not drawn"},
+        {"w.x3d", X3D("<RigidBodyCollection"), "rigid bodies: not drawn"},
+        {"w.x3d", X3D("<LayerSet"), "layers: not drawn"},
         {"w.amf", AMF("<composite"), "composite materials: not drawn"},
         {"w.amf", AMF("<edge"), "curved edges: not drawn"},
         {"w.x3d", X3D("<!-- <Text -->"), NULL},
