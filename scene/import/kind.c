@@ -102,6 +102,7 @@ static const struct {
     {"3dmodel ", "Model 3D (M3D)"},
     {"MeshVersionFormatted", "a mesh of Medit"},
     {"$MeshFormat", "a mesh of Gmsh"},
+    {"[Expe/PointSet", "a point set of Expe"},
     {"RSRC", "a resource of Godot"},
     {"RSCC", "a resource of Godot"},
     {"b3dm", "3D Tiles"},

@@ -148,6 +148,7 @@ static const struct {
     {"a.mesh", "RSRC\x01", "is a resource of Godot, which"},
     {"a.msh", "anything", "is a mesh of Gmsh, which"},
     {"a.obj", "$MeshFormat\n4.1 0 8\n", "is a mesh of Gmsh, which"},
+    {"a.pts", "[Expe/PointSet/Binary/0.1]\nproperty position 12\n", "is a point set of Expe, which"},
     {"a.amf", "PK\3\4", "is an AMF in a ZIP archive, which is not supported"},
     {"a.assbin", "anything", "is a binary dump of assimp, which is not supported"},
     {"a.x", "ASSIMP.binary-dump.Fri Nov 27", "is a binary dump of assimp, which is not supported"},
