@@ -309,6 +309,14 @@ printf 'P6 3 2 255\n\000\000\377\000\000\377\000\000\377\000\000\377\000\000\377
 succeed shader toys.frag --run --size 1 --time 1.5 --mouse 3,4 --texture iChannel1=wide.ppm -o toys.png
 printf 'P6 1 1 255\n\377\377\377' >want.ppm
 succeed compare toys.png want.ppm
+# Its pictures stand upright, by coordinates and by texels.
+printf 'void mainImage(out vec4 color, in vec2 at) { color = texture(iChannel0, at / iResolution.xy); }\n' >upright.frag
+printf 'P6 2 3 255\n123456789abcdefghi' >want.ppm
+succeed shader upright.frag --run --size 2x3 --texture iChannel0=want.ppm -o upright.png
+succeed compare upright.png want.ppm
+printf 'void mainImage(out vec4 color, in vec2 at) { color = texelFetch(iChannel0, ivec2(at), 0); }\n' >upright.frag
+succeed shader upright.frag --run --size 2x3 --texture iChannel0=want.ppm -o upright.png
+succeed compare upright.png want.ppm
 sed 's/iTime, 0/iTimes, 0/' toy.frag >bad.frag
 refuse 1 "bad.frag:4: 'iTimes' : undeclared identifier" shader bad.frag --run -o a.png
 

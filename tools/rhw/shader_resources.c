@@ -140,7 +140,32 @@ static bool create_texture(struct cli_shader_resource *resource, rhw_context *co
     return true;
 }
 
-static bool load_texture(struct cli_shader_resource *resource, rhw_context *context, const char *path)
+// Put the rows of a picture in opposite order: y points up in a text with mainImage().
+static void turn_over(struct scene_image *image)
+{
+    const size_t row = image->size / image->height;
+    unsigned char *top = image->texels, *bottom = top + image->size - row;
+    for (; top < bottom; top += row, bottom -= row) {
+        for (size_t i = 0; i < row; i++) {
+            const unsigned char byte = top[i];
+            top[i] = bottom[i];
+            bottom[i] = byte;
+        }
+    }
+}
+
+static bool has_main_image(const struct cli_shader_file *files, int count)
+{
+    for (int i = 0; i < count; i++) {
+        if (files[i].main_image.text) {
+            return true;
+        }
+    }
+    return false;
+}
+
+static bool load_texture(struct cli_shader_resource *resource, rhw_context *context, const char *path,
+                         bool is_turned)
 {
     static const enum rhw_format formats[] = {[SCENE_IMAGE_RGBA8] = RHW_FORMAT_RGBA8_UNORM,
                                               [SCENE_IMAGE_RGBA16] = RHW_FORMAT_RGBA16_UNORM,
@@ -157,6 +182,9 @@ static bool load_texture(struct cli_shader_resource *resource, rhw_context *cont
         cli_error(path, "%s", strcmp(problem, "outofmem") == 0 ? "out of memory" : problem);
         return false;
     }
+    if (is_turned) {
+        turn_over(&image);
+    }
     resource->width = (int)image.width;
     resource->height = (int)image.height;
     const bool made = create_texture(resource, context, formats[image.type]) &&
@@ -165,14 +193,15 @@ static bool load_texture(struct cli_shader_resource *resource, rhw_context *cont
     return made;
 }
 
-static bool open_image(struct cli_shader_resource *resource, rhw_context *context, struct cli_shader_job *job)
+static bool open_image(struct cli_shader_resource *resource, rhw_context *context, struct cli_shader_job *job,
+                       bool is_turned)
 {
     const struct cli_shader_binding *const given = find_binding(&job->textures, resource->what);
     if (resource->what->kind == RHW_SHADER_STORAGE_IMAGE) {
         find_binding(&job->results, resource->what);
     }
     if (given) {
-        return load_texture(resource, context, given->value);
+        return load_texture(resource, context, given->value, is_turned);
     }
     if (resource->what->kind != RHW_SHADER_STORAGE_IMAGE) {
         return true; // it reads as 0
@@ -197,7 +226,7 @@ static bool open_resource(struct cli_shader_resource *resource, rhw_context *con
     case RHW_SHADER_STORAGE_BUFFER: return open_buffer(resource, job, files, count);
     case RHW_SHADER_SAMPLED_TEXTURE:
     case RHW_SHADER_TEXTURE:
-    case RHW_SHADER_STORAGE_IMAGE: return open_image(resource, context, job);
+    case RHW_SHADER_STORAGE_IMAGE: return open_image(resource, context, job, has_main_image(files, count));
     case RHW_SHADER_SAMPLER: return true;
     default:
         cli_error("--run", "%u:%u is a texel buffer or an input attachment, which are not given here",
