@@ -10,6 +10,7 @@
 #include "import/builder/find_file.h"
 #include "x3d_faces.h"
 #include "x3d_groups.h"
+#include "x3d_lists.h"
 #include "x3d_materials.h"
 
 #include <ctype.h>
@@ -150,13 +151,25 @@ static bool is_zero(struct scene_collada_value value)
     return scene_decimal_read(value.text, value.text + value.length, &number) != NULL && number == 0.0;
 }
 
-// Tell of an angle up to which an extrusion is to be smooth, as assimp does not say it.
+static bool has_more_points(struct scene_import *import, struct scene_collada_value list, size_t points,
+                            size_t width)
+{
+    const struct scene_x3d_numbers numbers = scene_x3d_read_numbers(import, list);
+    free(numbers.list);
+    return numbers.count > points * width;
+}
+
+// Tell of an extrusion that may have edges between 0 and 60°, up to which it is smooth here. assimp does not say the
+// angle of its own, which is 0 where it is not given. Sections of up to four sides along a straight line have none.
 static void tell_crease_angle(struct scene_import *import, char *tag, char *close)
 {
-    const struct scene_collada_value angle = scene_collada_is_tag(tag, "Extrusion")
-                                                 ? scene_collada_attribute(tag, close, "creaseAngle")
-                                                 : (struct scene_collada_value){NULL, 0};
-    if (angle.text != NULL && !is_zero(angle)) {
+    if (!scene_collada_is_tag(tag, "Extrusion")) {
+        return;
+    }
+    const struct scene_collada_value angle = scene_collada_attribute(tag, close, "creaseAngle");
+    if ((angle.text != NULL && !is_zero(angle)) ||
+        has_more_points(import, scene_collada_attribute(tag, close, "crossSection"), 5, 2) ||
+        has_more_points(import, scene_collada_attribute(tag, close, "spine"), 2, 3)) {
         scene_import_unsupported(import, "crease angles of extrusions (X3D): not used");
     }
 }
