@@ -309,8 +309,15 @@ RHW_INLINE void blend_format_over(const struct rhw_blend_state *state, const str
 
 enum texel_action { BLEND_TEXELS, BLEND_TEXELS_OVER, REPLACE_TEXELS };
 
-RHW_INLINE void act_on_format(enum texel_action action, const struct rhw_blend_state *state,
-                              const struct rhw_format_info *format, const struct texel_rows *rows)
+// A compiler that does not optimize keeps room on the stack for all that it puts into a function, which would be 1.9 MB
+// for all formats, of the 2 MiB that a thread of Windows has.
+#ifdef __OPTIMIZE__
+RHW_INLINE
+#else
+static
+#endif
+void act_on_format(enum texel_action action, const struct rhw_blend_state *state,
+                   const struct rhw_format_info *format, const struct texel_rows *rows)
 {
     switch (action) {
     case REPLACE_TEXELS: replace_format(format, rows); break;
