@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A signal or the deadline at the worst moment of a file that is written: just when it has a name, on systems that have no
 // files without a name and on those that have. What stands here for system/temporary_file sends it.
+#include "ending.h"
 #include "output_file.h"
 #include "temporary_file.h"
 
@@ -28,21 +29,31 @@ static struct {
     enum moment moment;
     int signal; // 0: the deadline
     bool has_unnamed;
+    bool has_thread; // another thread is there to take the signal
 } worst;
 
-static void rest(long milliseconds)
+// The other thread has begun to end the program; or the signal waits for this thread, which takes none while it holds.
+static bool is_struck(void)
 {
-    nanosleep(&(struct timespec){.tv_nsec = milliseconds * 1000000}, NULL);
+    sigset_t waiting;
+    if (worst.has_thread) {
+        return system_ending_began();
+    }
+    return sigpending(&waiting) == 0 && sigismember(&waiting, worst.signal ? worst.signal : SIGALRM) == 1;
 }
 
-// The program has the time to end before the step that comes next.
+// The deadline begins here, so that a busy machine does not reach it in front of the moment.
 static void strike(enum moment moment)
 {
     if (moment == worst.moment) {
         if (worst.signal) {
             kill(getpid(), worst.signal);
+        } else {
+            cli_output_files_deadline(0.001, "target");
         }
-        rest(15);
+        while (!is_struck()) {
+            nanosleep(&(struct timespec){.tv_nsec = 1000000}, NULL);
+        }
     }
 }
 
@@ -112,16 +123,13 @@ static void *idle(void *user)
     return NULL;
 }
 
-// Writes the file `target`, and waits to be ended. Another thread is there to take the signal.
-static void write_and_wait(bool has_thread)
+// Writes the file `target`, and waits to be ended.
+static void write_and_wait(void)
 {
     pthread_t thread;
     struct cli_output_file file;
     cli_output_files_guard();
-    if (worst.signal == 0) {
-        cli_output_files_deadline(0.005, "target");
-    }
-    if (has_thread && pthread_create(&thread, NULL, idle, NULL) != 0) {
+    if (worst.has_thread && pthread_create(&thread, NULL, idle, NULL) != 0) {
         _exit(2);
     }
     if (!cli_output_file_open(&file, "target") || fputs("newer", file.stream) < 0 ||
@@ -164,6 +172,7 @@ static void try(enum moment moment, int number, bool has_unnamed, bool has_threa
     worst.moment = moment;
     worst.signal = number;
     worst.has_unnamed = has_unnamed;
+    worst.has_thread = has_thread;
     const int older = open("target", O_WRONLY | O_CREAT | O_TRUNC, 0666);
     assert_int_equal(write(older, "older", 5), 5);
     close(older);
@@ -171,7 +180,7 @@ static void try(enum moment moment, int number, bool has_unnamed, bool has_threa
     assert_true(child >= 0);
     if (child == 0) {
         signal(number ? number : SIGALRM, SIG_DFL);
-        write_and_wait(has_thread);
+        write_and_wait();
     }
     int status;
     assert_int_equal(waitpid(child, &status, 0), child);
