@@ -47,6 +47,8 @@ struct rhw_scheduler {
     _Alignas(RHW_CACHE_LINE) _Atomic uint32_t unfinished;
     // Nanoseconds of the job that threads had tasks. Every thread adds its own once per job.
     _Atomic uint64_t busy_ns;
+    // Threads beside the caller that have had a task of the job, where it has fewer tasks than there are threads.
+    _Atomic int guests;
 
     // The caller writes the job's fields between jobs. Threads that go to sleep write `sleepers`.
     _Alignas(RHW_CACHE_LINE) rhw_task_function *task;
@@ -89,9 +91,19 @@ static void let_workers_start(const struct rhw_scheduler *scheduler)
     }
 }
 
+// Return the number that a thread has in the job, of which it has claimed a task. Threads keep theirs from job to job,
+// but for jobs of few tasks, where any thread may be the first: those number them in turn, so that few rooms suffice.
+static int number_in_job(struct rhw_scheduler *scheduler, int worker)
+{
+    return worker == 0 || scheduler->count >= (uint32_t)scheduler->threads
+               ? worker
+               : 1 + atomic_fetch_add_explicit(&scheduler->guests, 1, memory_order_relaxed);
+}
+
 // Run tasks until none is left to claim.
 static void run_tasks(struct rhw_scheduler *scheduler, int worker)
 {
+    int number = worker;
     uint32_t finished = 0;
     // The clock is read once per thread and job: a look at it costs as much as a small task.
     uint64_t start = 0;
@@ -104,8 +116,11 @@ static void run_tasks(struct rhw_scheduler *scheduler, int worker)
             rhw_cpu_relax();
             continue;
         }
-        start = finished == 0 ? rhw_time_ns() : start;
-        scheduler->task(scheduler->user, (int)(scheduler->count - unclaimed), worker);
+        if (finished == 0) {
+            start = rhw_time_ns();
+            number = number_in_job(scheduler, worker);
+        }
+        scheduler->task(scheduler->user, (int)(scheduler->count - unclaimed), number);
         finished++;
         if (worker == 0 && finished == 1) {
             let_workers_start(scheduler);
@@ -335,6 +350,11 @@ static void wait_for_job(struct rhw_scheduler *scheduler)
     rhw_mutex_unlock(&scheduler->mutex);
 }
 
+int rhw_scheduler_workers(const struct rhw_scheduler *scheduler, int count)
+{
+    return count <= 1 ? 1 : count < scheduler->threads ? count + 1 : scheduler->threads;
+}
+
 uint64_t rhw_scheduler_run(struct rhw_scheduler *scheduler, rhw_task_function *task, void *user, int count)
 {
     if (count <= 0) {
@@ -355,6 +375,7 @@ uint64_t rhw_scheduler_run(struct rhw_scheduler *scheduler, rhw_task_function *t
         scheduler->count = (uint32_t)count;
         atomic_store_explicit(&scheduler->caller_core, rhw_cpu_core(), memory_order_relaxed);
         atomic_store_explicit(&scheduler->busy_ns, 0, memory_order_relaxed);
+        atomic_store_explicit(&scheduler->guests, 0, memory_order_relaxed);
         atomic_store_explicit(&scheduler->unfinished, (uint32_t)count, memory_order_relaxed);
         atomic_store(&scheduler->unclaimed, (uint32_t)count);
         wake_workers(scheduler, (uint32_t)count - 1);

@@ -9,7 +9,8 @@
 struct rhw_memory;
 struct rhw_scheduler;
 
-// A task. `worker` is 0 on the caller's thread and 1 .. threads − 1 on the others; per-thread data are indexed by it.
+// A task. `worker` is 0 on the caller's thread. Another thread has one of the numbers 1 .. rhw_scheduler_workers − 1,
+// the same in all tasks of a job. Per-thread data are indexed by it.
 typedef void rhw_task_function(void *user, int index, int worker);
 
 // Start the workers. `threads` counts the caller, so 1 starts none. `cores` is the number of cores that they run on.
@@ -22,6 +23,9 @@ void rhw_scheduler_destroy(struct rhw_memory *memory, struct rhw_scheduler *sche
 // caller. Tasks run in any order and may not call this function. Indices are claimed in rising order. Return the
 // nanoseconds that threads had tasks, summed over the threads.
 uint64_t rhw_scheduler_run(struct rhw_scheduler *scheduler, rhw_task_function *task, void *user, int count);
+
+// Return how many workers a job of so many tasks may have. It is at least 1.
+int rhw_scheduler_workers(const struct rhw_scheduler *scheduler, int count);
 
 // Set what the caller of rhw_scheduler_run does every 10 ms while it waits for the last tasks of others. NULL: nothing.
 void rhw_scheduler_set_idle(struct rhw_scheduler *scheduler, void (*idle)(void *user), void *user);

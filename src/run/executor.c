@@ -4,6 +4,7 @@
 
 #include <string.h>
 
+#include "base/scheduler.h"
 #include "context/context.h"
 #include "kernels/geometry/geometry_scratch.h"
 #include "kernels/tile_work.h"
@@ -94,7 +95,8 @@ static size_t varyings_size(int components)
     return (size_t)components * (RHW_VERTEX_GROUPS + 3 * RHW_FRAGMENT_GROUPS) * sizeof(f32x8);
 }
 
-// Give the worker room for varyings of so many components. Return false when out of memory.
+// Give the worker room for varyings of so many components, in what it has of the front end and of tiles. Return false
+// when out of memory.
 static bool varyings_ready(struct rhw_memory *memory, struct rhw_worker *worker, int components)
 {
     enum { STEP = 8 };
@@ -108,12 +110,17 @@ static bool varyings_ready(struct rhw_memory *memory, struct rhw_worker *worker,
         }
         worker->component_room = wanted;
     }
-    const size_t each = (size_t)worker->component_room * RHW_FRAGMENT_GROUPS;
-    struct fragment_queue *const queue = &worker->tile->queue;
-    worker->geometry->varyings = worker->varyings;
-    queue->varyings = worker->geometry->varyings + (size_t)worker->component_room * RHW_VERTEX_GROUPS;
-    queue->ddx = queue->varyings + each;
-    queue->ddy = queue->ddx + each;
+    f32x8 *const of_vertices = worker->varyings;
+    if (worker->geometry) {
+        worker->geometry->varyings = of_vertices;
+    }
+    if (worker->tile) {
+        const size_t each = (size_t)worker->component_room * RHW_FRAGMENT_GROUPS;
+        struct fragment_queue *const queue = &worker->tile->queue;
+        queue->varyings = of_vertices + (size_t)worker->component_room * RHW_VERTEX_GROUPS;
+        queue->ddx = queue->varyings + each;
+        queue->ddy = queue->ddx + each;
+    }
     return true;
 }
 
@@ -138,8 +145,26 @@ static bool make_workers(struct rhw_executor *executor)
     return true;
 }
 
-// Give a worker the memory that the wave's pass needs. Return false when out of memory.
-static bool worker_ready(const struct rhw_executor *executor, struct rhw_worker *worker)
+bool rhw_executor_arenas_ready(struct rhw_executor *executor)
+{
+    return executor->wave.workers || make_workers(executor);
+}
+
+bool rhw_executor_front_ready(struct rhw_executor *executor, int count)
+{
+    struct rhw_memory *const memory = &executor->context->memory;
+    const int workers = rhw_scheduler_workers(executor->context->scheduler, count);
+    bool ready = true;
+    for (int i = 0; ready && i < workers; i++) {
+        struct rhw_worker *const worker = &executor->wave.workers[i];
+        ready = geometry_ready(memory, worker, executor->chunk_size) &&
+                varyings_ready(memory, worker, executor->wave.pass->components_most);
+    }
+    return ready;
+}
+
+// Give a worker the memory that tiles of the wave's pass need. Return false when out of memory.
+static bool tile_ready(const struct rhw_executor *executor, struct rhw_worker *worker)
 {
     struct rhw_memory *const memory = &executor->context->memory;
     const struct rhw_target *const target = &executor->wave.target;
@@ -150,36 +175,24 @@ static bool worker_ready(const struct rhw_executor *executor, struct rhw_worker 
         }
         init_tile_scratch(worker->tile);
     }
-    worker->counters = (struct rhw_counters){0};
-    return geometry_ready(memory, worker, executor->chunk_size) &&
-           varyings_ready(memory, worker, executor->wave.pass->components_most) &&
+    return varyings_ready(memory, worker, executor->wave.pass->components_most) &&
            sample_tiles_ready(memory, worker, target->pattern->count - 1) &&
            colors_ready(memory, worker, target);
 }
 
-bool rhw_executor_bins_ready(struct rhw_executor *executor)
+bool rhw_executor_tiles_ready(struct rhw_executor *executor)
 {
+    const struct rhw_wave *const wave = &executor->wave;
+    const int workers = rhw_scheduler_workers(executor->context->scheduler, rhw_target_tiles(&wave->target));
     bool ready = true;
-    for (int i = 0; ready && i < executor->context->threads; i++) {
-        struct rhw_worker *const worker = &executor->wave.workers[i];
-        struct rhw_tile_scratch *const tile = worker->tile;
-        const size_t size = (size_t)executor->wave.chunk_count * sizeof *tile->bins;
-        tile->bins = rhw_arena_alloc(&worker->arena, size, _Alignof(struct bin));
-        ready = tile->bins != NULL;
-    }
-    return ready;
-}
-
-bool rhw_executor_arenas_ready(struct rhw_executor *executor)
-{
-    return executor->wave.workers || make_workers(executor);
-}
-
-bool rhw_executor_workers_ready(struct rhw_executor *executor)
-{
-    bool ready = rhw_executor_arenas_ready(executor);
-    for (int i = 0; ready && i < executor->context->threads; i++) {
-        ready = worker_ready(executor, &executor->wave.workers[i]);
+    for (int i = 0; ready && i < workers; i++) {
+        struct rhw_worker *const worker = &wave->workers[i];
+        ready = tile_ready(executor, worker);
+        if (ready) {
+            const size_t size = (size_t)wave->chunk_count * sizeof *worker->tile->bins;
+            worker->tile->bins = rhw_arena_alloc(&worker->arena, size, _Alignof(struct bin));
+            ready = worker->tile->bins != NULL;
+        }
     }
     return ready;
 }

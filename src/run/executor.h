@@ -36,10 +36,12 @@ struct rhw_executor {
 
 // Give every worker an arena. Return false when out of memory.
 bool rhw_executor_arenas_ready(struct rhw_executor *executor);
-// Give every worker the memory that the wave's pass needs. Return false when out of memory.
-bool rhw_executor_workers_ready(struct rhw_executor *executor);
-// Give every worker room for the bins that a tile has of the wave's chunks. Return false when out of memory.
-bool rhw_executor_bins_ready(struct rhw_executor *executor);
+// Give the workers of so many tasks of the front end the memory that the wave's pass needs. Return false when out of
+// memory.
+bool rhw_executor_front_ready(struct rhw_executor *executor, int count);
+// Give the workers that draw tiles the memory that the wave's pass needs, and room for the bins that a tile has of the
+// wave's chunks. Return false when out of memory.
+bool rhw_executor_tiles_ready(struct rhw_executor *executor);
 // Give attachments without a texture memory that keeps them until the next wave. Return false when out of memory.
 bool rhw_executor_transients_ready(struct rhw_executor *executor);
 

@@ -182,7 +182,12 @@ enum rhw_result rhw_executor_run_grid(struct rhw_executor *executor, const struc
     if (!rhw_executor_arenas_ready(executor)) {
         return RHW_ERROR_OUT_OF_MEMORY;
     }
-    for (int i = 0; i < context->threads; i++) {
+    // One batch is one task, which runs on the calling thread.
+    const uint64_t batches =
+        grid->program->uses_atomic_results ? 1 : (uint64_t)context->threads * BATCHES_OF_THREAD;
+    job.batch = (job.workgroups + batches - 1) / batches;
+    const int tasks = job.batch == 0 ? 0 : (int)((job.workgroups + job.batch - 1) / job.batch);
+    for (int i = 0; i < rhw_scheduler_workers(context->scheduler, tasks); i++) {
         if (!reserve(&job, &executor->wave.workers[i].arena, &rooms[i])) {
             return RHW_ERROR_OUT_OF_MEMORY;
         }
@@ -191,14 +196,6 @@ enum rhw_result rhw_executor_run_grid(struct rhw_executor *executor, const struc
     if (rhw_context_is_given_up(context, 0)) {
         return RHW_ERROR_GIVEN_UP;
     }
-    if (job.workgroups == 0) {
-        return RHW_OK;
-    }
-    // One batch is one task, which runs on the calling thread.
-    const uint64_t batches =
-        grid->program->uses_atomic_results ? 1 : (uint64_t)context->threads * BATCHES_OF_THREAD;
-    job.batch = (job.workgroups + batches - 1) / batches;
-    (void)rhw_scheduler_run(context->scheduler, run_batch, &job,
-                            (int)((job.workgroups + job.batch - 1) / job.batch));
+    (void)rhw_scheduler_run(context->scheduler, run_batch, &job, tasks);
     return atomic_load(&context->given_up) ? RHW_ERROR_GIVEN_UP : RHW_OK;
 }

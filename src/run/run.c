@@ -207,14 +207,20 @@ static void run_part(void *user, int index, int worker)
     }
 }
 
-static void run_parts(struct rhw_executor *executor, const struct rhw_shared_parts *parts,
+// Shade the vertices of the parts. Return false when out of memory.
+static bool run_parts(struct rhw_executor *executor, const struct rhw_shared_parts *parts,
                       struct rhw_stats *stats)
 {
     struct parts_task task = {executor, parts->parts};
     stats->vertices_shaded += parts->vertices;
-    if (parts->count != 0) {
-        stats->front_busy_ms += milliseconds(run_tasks(executor, run_part, &task, parts->count));
+    if (parts->count == 0) {
+        return true;
     }
+    if (!rhw_executor_front_ready(executor, parts->count)) {
+        return false;
+    }
+    stats->front_busy_ms += milliseconds(run_tasks(executor, run_part, &task, parts->count));
+    return true;
 }
 
 // Shade the vertices that the wave's chunks share. Return false when out of memory.
@@ -225,8 +231,7 @@ static bool shade_shared_vertices(struct rhw_executor *executor, struct rhw_stat
         return false;
     }
     executor->geometry = parts.bytes;
-    run_parts(executor, &parts, stats);
-    return true;
+    return run_parts(executor, &parts, stats);
 }
 
 // Shade the vertices of all waves that are shaded before the first, and measure the lines that wait for them. Return
@@ -241,10 +246,9 @@ static bool shade_first_vertices(struct rhw_executor *executor, struct rhw_stats
         return true;
     }
     rhw_arena_reset(arena);
-    if (!rhw_effect_vertices_find(pass, arena, &parts)) {
+    if (!rhw_effect_vertices_find(pass, arena, &parts) || !run_parts(executor, &parts, stats)) {
         return false;
     }
-    run_parts(executor, &parts, stats);
     if (atomic_load(&executor->context->given_up)) {
         return false;
     }
@@ -323,7 +327,8 @@ static bool run_front(struct rhw_executor *executor, struct position *at, struct
     for (int i = 0; i < context->threads; i++) {
         rhw_arena_reset(&executor->wave.workers[i].arena);
     }
-    if (!cut_wave(executor, *at) || !shade_shared_vertices(executor, stats)) {
+    if (!cut_wave(executor, *at) || !shade_shared_vertices(executor, stats) ||
+        !rhw_executor_front_ready(executor, executor->wave.chunk_count)) {
         return false;
     }
     executor->wave_end = executor->wave.chunk_count;
@@ -341,7 +346,7 @@ static bool run_front(struct rhw_executor *executor, struct position *at, struct
     const size_t geometry = executor->geometry;
     stats->geometry_peak = geometry > stats->geometry_peak ? geometry : stats->geometry_peak;
     sum_front(executor, stats);
-    return rhw_executor_bins_ready(executor);
+    return true;
 }
 
 static void sum_counters(const struct rhw_executor *executor, struct rhw_stats *stats)
@@ -402,7 +407,7 @@ static bool run_wave(struct rhw_executor *executor, struct position *at, struct 
     struct rhw_context *const context = executor->context;
     const uint64_t start = rhw_time_ns();
     const bool is_made = executor->wave.is_first && takes_kept(executor, at, stats);
-    if (is_made ? !rhw_executor_bins_ready(executor) : !run_front(executor, at, stats)) {
+    if ((!is_made && !run_front(executor, at, stats)) || !rhw_executor_tiles_ready(executor)) {
         return false;
     }
     executor->wave.is_last = at->triangle == executor->wave.pass->triangle_count;
@@ -476,8 +481,11 @@ enum rhw_result rhw_executor_run(struct rhw_executor *executor, struct rhw_recor
     if (prepared != RHW_OK) {
         return prepared;
     }
-    if (!rhw_executor_workers_ready(executor)) {
+    if (!rhw_executor_arenas_ready(executor)) {
         return RHW_ERROR_OUT_OF_MEMORY;
+    }
+    for (int i = 0; i < context->threads; i++) {
+        wave->workers[i].counters = (struct rhw_counters){0};
     }
     struct rhw_stats s = stats_of(executor);
     for (int i = 0; i < wave->target.color_count; i++) {
