@@ -6,11 +6,9 @@
 #include "assimp.h"
 #include "collada_markup.h"
 #include "edits.h"
-#include "import/builder/decimal.h"
 #include "import/builder/find_file.h"
 #include "x3d_faces.h"
 #include "x3d_groups.h"
-#include "x3d_lists.h"
 #include "x3d_materials.h"
 
 #include <ctype.h>
@@ -118,62 +116,6 @@ static bool write_metadata(struct scene_import *import, struct scene_edits *edit
     return true;
 }
 
-// A switch that shows nothing.
-struct hidden {
-    size_t open;   // the elements that are open, from the switch on; 0 outside
-    bool is_named; // something in it has a name, by which it may be used where it is seen
-};
-
-static bool has_text(struct scene_collada_value value, const char *text)
-{
-    return value.text != NULL && value.length == strlen(text) && memcmp(value.text, text, value.length) == 0;
-}
-
-// Pass a tag in a switch that shows nothing, or the first one of it.
-static void pass_hidden(struct hidden *hidden, char *tag, char *close)
-{
-    const bool is_end = tag[1] == '/', is_empty = close[-1] == '/';
-    if (tag[1] == '!' || tag[1] == '?') {
-        return;
-    }
-    if (hidden->open > 0) {
-        hidden->is_named = hidden->is_named || scene_collada_attribute(tag, close, "DEF").text != NULL;
-        hidden->open += is_end ? (size_t)-1 : !is_empty;
-    } else if (!is_empty && scene_collada_is_tag(tag, "Switch") &&
-               has_text(scene_collada_attribute(tag, close, "whichChoice"), "-1")) {
-        *hidden = (struct hidden){.open = 1};
-    }
-}
-
-static bool is_zero(struct scene_collada_value value)
-{
-    double number = 1.0;
-    return scene_decimal_read(value.text, value.text + value.length, &number) != NULL && number == 0.0;
-}
-
-static bool has_more_points(struct scene_import *import, struct scene_collada_value list, size_t points,
-                            size_t width)
-{
-    const struct scene_x3d_numbers numbers = scene_x3d_read_numbers(import, list);
-    free(numbers.list);
-    return numbers.count > points * width;
-}
-
-// Tell of an extrusion that may have edges between 0 and 60°, up to which it is smooth here. assimp does not say the
-// angle of its own, which is 0 where it is not given. Sections of up to four sides along a straight line have none.
-static void tell_crease_angle(struct scene_import *import, char *tag, char *close)
-{
-    if (!scene_collada_is_tag(tag, "Extrusion")) {
-        return;
-    }
-    const struct scene_collada_value angle = scene_collada_attribute(tag, close, "creaseAngle");
-    if ((angle.text != NULL && !is_zero(angle)) ||
-        has_more_points(import, scene_collada_attribute(tag, close, "crossSection"), 5, 2) ||
-        has_more_points(import, scene_collada_attribute(tag, close, "spine"), 2, 3)) {
-        scene_import_unsupported(import, "crease angles of extrusions (X3D): not used");
-    }
-}
-
 // Return how long a reference to a blank is, such as &#10; or &#xA;. Return 0 for another one, and for other text.
 static size_t blank_reference(const char *text)
 {
@@ -208,9 +150,8 @@ static char *write_tags(struct scene_import *import, char *source, size_t *size)
         scene_assimp_repeat_groups(import, scene_assimp_hide_proxies(import, source, size), size);
     struct scene_edits edits = {0};
     // Many sets may use one list of points, which is read for each, and which each may have all of.
-    const size_t room = (size_t)1 << 23, per_byte = 8, most_read = (size_t)1 << 28;
+    const size_t room = (size_t)1 << 25, per_byte = 8, most_read = (size_t)1 << 28;
     struct scene_x3d_faces faces = {.largest = room + per_byte * *size, .most_read = most_read + *size};
-    struct hidden hidden = {0};
     struct scene_x3d_materials materials = {0};
     char *close;
     for (char *tag = strchr(text, '<'); tag != NULL; tag = strchr(close, '<')) {
@@ -218,7 +159,6 @@ static char *write_tags(struct scene_import *import, char *source, size_t *size)
         if (close == NULL) {
             break;
         }
-        pass_hidden(&hidden, tag, close);
         if (strncmp(tag, "<!---->", 7) == 0) { // a comment that assimp takes for a node
             scene_edits_add_string(import, &edits, (size_t)(tag + 4 - text), 0, SCENE_X3D_FILLER);
         } else if (!write_metadata(import, &edits, text, tag, close) &&
@@ -227,9 +167,6 @@ static char *write_tags(struct scene_import *import, char *source, size_t *size)
                                                 &(struct scene_x3d_tag){text, text + *size, tag, &close}) &&
                    !scene_assimp_write_group(import, &edits, text, tag, close)) {
             write_address(import, &edits, text, tag, close);
-            if (hidden.open == 0 || hidden.is_named) {
-                tell_crease_angle(import, tag, close);
-            }
         }
     }
     scene_x3d_free_faces(&faces);

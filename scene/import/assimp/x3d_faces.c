@@ -246,16 +246,6 @@ static const char *write_use(struct scene_import *import, struct scene_edits *ed
     return written;
 }
 
-// Return false where a set would be one too many of those that use a list again. Count what is read of it.
-static bool has_room(struct scene_x3d_faces *faces, const struct scene_x3d_set *set)
-{
-    const bool is_room = faces->written < faces->largest && faces->read < faces->most_read;
-    for (int i = 0; i < SCENE_X3D_PURPOSES && is_room; i++) {
-        faces->read += set->parts[i].list.length;
-    }
-    return is_room || set->parts[SCENE_X3D_POINTS].list.text == NULL;
-}
-
 // Write the first tag of a set. Return what its end is called then, or NULL if it keeps its name.
 static const char *write_first(struct scene_import *import, struct scene_edits *edits,
                                struct scene_x3d_faces *faces, const char *text, struct scene_x3d_set *set,
@@ -267,9 +257,12 @@ static const char *write_first(struct scene_import *import, struct scene_edits *
         return write_use(import, edits, faces, at, set, use);
     }
     const char *const set_end = scene_x3d_find_parts(&faces->lists, text, set, end);
-    const bool is_room = has_room(faces, set);
+    const bool is_room = faces->written < faces->largest && faces->read < faces->most_read;
     const enum scene_x3d_found found =
         set_end == NULL || !is_room ? SCENE_X3D_NOTHING : scene_x3d_read_set(import, set);
+    for (int i = 0; i < SCENE_X3D_PURPOSES; i++) {
+        faces->read += set->parts[i].list.length;
+    }
     if (found == SCENE_X3D_OUT_OF_RANGE && !scene_x3d_is_quads(set->kind)) {
         return NULL; // assimp gives indices of points that are not there, which the file is refused for
     }
@@ -281,15 +274,13 @@ static const char *write_first(struct scene_import *import, struct scene_edits *
     }
     if (scene_x3d_is_quads(set->kind)) {
         scene_import_unsupported(import, "quads: not drawn");
-    } else if (found == SCENE_X3D_FACES || !is_room) {
+    } else if (set->kind->make != NULL) {
+        scene_import_unsupported(import, "%s", set->kind->told);
+    } else if (found == SCENE_X3D_FACES || (!is_room && set->parts[SCENE_X3D_POINTS].list.text != NULL)) {
         scene_import_unsupported(import, "sets of points that many use (X3D): not all drawn");
     } else if (set->parts[SCENE_X3D_POINTS].property != NULL &&
                set->parts[SCENE_X3D_POINTS].list.text == NULL) {
         scene_import_unsupported(import, "sets of points that are not there (X3D): not drawn");
-    } else if (scene_x3d_is_grid(set->kind) &&
-               scene_collada_attribute(set->tag, set->close, "height").length > 0) {
-        scene_import_unsupported(import,
-                                 "grids without faces or without all of their heights (X3D): not drawn");
     }
     return leave_out(import, edits, faces, at, set);
 }

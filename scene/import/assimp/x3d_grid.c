@@ -1,65 +1,50 @@
 // SPDX-License-Identifier: MIT
-// The points of a grid stand in rows along x, at the heights that are listed.
-#include "x3d_grid.h"
+// The points of a grid stand in rows along x, at the heights that are listed. The texture covers the grid once.
+#include "x3d_made.h"
 
-#include "import/builder/decimal.h"
-
-#include <stdio.h>
 #include <stdlib.h>
-
-static double number_of(char *tag, char *close, const char *name, double usual)
-{
-    const struct scene_collada_value value = scene_collada_attribute(tag, close, name);
-    double number = usual;
-    return value.text != NULL && scene_decimal_read(value.text, value.text + value.length, &number) != NULL
-               ? number
-               : usual;
-}
 
 static size_t size_of(char *tag, char *close, const char *name)
 {
-    const double most = 1 << 24, number = number_of(tag, close, name, 0);
+    const double most = 1 << 24, number = scene_x3d_number_of(tag, close, name, 0);
     return number >= 2 && number <= most ? (size_t)number : 0;
 }
 
-bool scene_x3d_read_grid(struct scene_import *import, char *tag, char *close, struct scene_x3d_grid *grid)
+bool scene_x3d_make_grid(struct scene_import *import, char *tag, char *close, struct scene_x3d_made *made)
 {
-    enum { LONGEST = 32 }; // a number of 9 digits with its exponent and a blank
     const size_t columns = size_of(tag, close, "xDimension"), rows = size_of(tag, close, "zDimension");
-    const double wide = number_of(tag, close, "xSpacing", 1), deep = number_of(tag, close, "zSpacing", 1);
-    struct scene_x3d_numbers heights =
-        scene_x3d_read_numbers(import, scene_collada_attribute(tag, close, "height"));
-    size_t length = 0;
-    bool is_whole = columns > 0 && rows > 0 && heights.count / columns >= rows;
-    for (size_t i = 0; is_whole && i < columns * rows; i++) {
-        const struct scene_collada_value height = heights.list[i];
-        const char *const end = height.text + height.length;
-        double number;
-        is_whole = scene_decimal_read(height.text, end, &number) == end;
-        length += height.length;
-    }
+    const double wide = scene_x3d_number_of(tag, close, "xSpacing", 1),
+                 deep = scene_x3d_number_of(tag, close, "zSpacing", 1);
+    size_t heights, count = columns * rows;
+    double *const height = scene_x3d_numbers_of(import, tag, close, "height", "", &heights);
+    const bool is_whole = count > 0 && heights / columns >= rows;
     if (is_whole) {
-        char *point = grid->points =
-            scene_import_allocate_any(import, columns * rows + length / (2 * LONGEST) + 1, 2 * LONGEST + 1);
-        char *place = grid->places = scene_import_allocate_any(import, columns * rows, 2 * LONGEST);
-        for (size_t i = 0; i < columns * rows; i++) {
+        float(*const points)[3] = scene_import_allocate_any(import, count, sizeof *points);
+        float(*const places)[2] = scene_import_allocate_any(import, count, sizeof *places);
+        for (size_t i = 0; i < count; i++) {
             const double x = (double)(i % columns), z = (double)(i / columns);
-            point += sprintf(point, "%.9g %.*s %.9g ", x * wide, (int)heights.list[i].length,
-                             heights.list[i].text, z * deep);
-            place += sprintf(place, "%.9g %.9g ", x / (double)(columns - 1), z / (double)(rows - 1));
+            points[i][0] = (float)(x * wide);
+            points[i][1] = (float)height[i];
+            points[i][2] = (float)(z * deep);
+            places[i][0] = (float)(x / (double)(columns - 1));
+            places[i][1] = (float)(z / (double)(rows - 1));
         }
-        int64_t *index = grid->index.list =
-            scene_import_allocate_any(import, 5 * (columns - 1) * (rows - 1), sizeof *index);
+        made->lists[SCENE_X3D_POINTS] = scene_x3d_write_numbers(import, points[0], 3 * count);
+        made->lists[SCENE_X3D_PLACES] = scene_x3d_write_numbers(import, places[0], 2 * count);
+        made->index.list =
+            scene_import_allocate_any(import, 5 * (columns - 1) * (rows - 1), sizeof *made->index.list);
         for (size_t i = 0; i < columns * (rows - 1); i++) {
             if (i % columns + 1 < columns) {
-                const size_t next = i + columns;
-                const int64_t corners[5] = {(int64_t)next, (int64_t)next + 1, (int64_t)i + 1, (int64_t)i, -1};
-                for (size_t k = 0; k < 5; k++) {
-                    index[grid->index.count++] = corners[k];
-                }
+                scene_x3d_add_index(made, i + columns);
+                scene_x3d_add_index(made, i + columns + 1);
+                scene_x3d_add_index(made, i + 1);
+                scene_x3d_add_index(made, i);
+                scene_x3d_end_face(made);
             }
         }
+        free(points);
+        free(places);
     }
-    free(heights.list);
+    free(height);
     return is_whole;
 }

@@ -17,18 +17,21 @@ static const struct scene_x3d_property properties[] = {
 };
 
 static const struct scene_x3d_kind kinds[] = {
-    {"IndexedFaceSet", SCENE_X3D_POLYGONS, "coordIndex", NULL, true},
-    {"IndexedTriangleSet", SCENE_X3D_TRIANGLES, "index", NULL, false},
-    {"IndexedTriangleFanSet", SCENE_X3D_FANS, "index", NULL, false},
-    {"IndexedTriangleStripSet", SCENE_X3D_STRIPS, "index", NULL, false},
-    {"IndexedQuadSet", SCENE_X3D_QUADS, "index", NULL, false},
-    {"TriangleSet", SCENE_X3D_TRIANGLES, NULL, NULL, false},
-    {"TriangleFanSet", SCENE_X3D_FANS, NULL, "fanCount", false},
-    {"TriangleStripSet", SCENE_X3D_STRIPS, NULL, "stripCount", false},
-    {"QuadSet", SCENE_X3D_QUADS, NULL, NULL, false},
-    {"ElevationGrid", SCENE_X3D_POLYGONS, NULL, NULL, true},
-    {"IndexedLineSet", SCENE_X3D_LINES, "coordIndex", NULL, false},
-    {"LineSet", SCENE_X3D_LINES, NULL, "vertexCount", false},
+    {"IndexedFaceSet", SCENE_X3D_POLYGONS, "coordIndex", NULL, true, NULL, NULL},
+    {"IndexedTriangleSet", SCENE_X3D_TRIANGLES, "index", NULL, false, NULL, NULL},
+    {"IndexedTriangleFanSet", SCENE_X3D_FANS, "index", NULL, false, NULL, NULL},
+    {"IndexedTriangleStripSet", SCENE_X3D_STRIPS, "index", NULL, false, NULL, NULL},
+    {"IndexedQuadSet", SCENE_X3D_QUADS, "index", NULL, false, NULL, NULL},
+    {"TriangleSet", SCENE_X3D_TRIANGLES, NULL, NULL, false, NULL, NULL},
+    {"TriangleFanSet", SCENE_X3D_FANS, NULL, "fanCount", false, NULL, NULL},
+    {"TriangleStripSet", SCENE_X3D_STRIPS, NULL, "stripCount", false, NULL, NULL},
+    {"QuadSet", SCENE_X3D_QUADS, NULL, NULL, false, NULL, NULL},
+    {"ElevationGrid", SCENE_X3D_POLYGONS, NULL, NULL, true, scene_x3d_make_grid,
+     "grids without faces or without all of their heights (X3D): not drawn"},
+    {"Extrusion", SCENE_X3D_POLYGONS, NULL, NULL, true, scene_x3d_make_extrusion,
+     "extrusions without faces, or with very many (X3D): not drawn"},
+    {"IndexedLineSet", SCENE_X3D_LINES, "coordIndex", NULL, false, NULL, NULL},
+    {"LineSet", SCENE_X3D_LINES, NULL, "vertexCount", false, NULL, NULL},
 };
 
 const struct scene_x3d_property *scene_x3d_find_property(const char *tag)
@@ -61,17 +64,6 @@ bool scene_x3d_is_lines(const struct scene_x3d_kind *kind)
     return kind->order == SCENE_X3D_LINES;
 }
 
-bool scene_x3d_is_grid(const struct scene_x3d_kind *kind)
-{
-    return kind->has_crease_angle && kind->index == NULL;
-}
-
-static bool is_false(struct scene_collada_value value)
-{
-    static const char word[] = "false";
-    return value.text != NULL && value.length == strlen(word) && memcmp(value.text, word, value.length) == 0;
-}
-
 struct scene_collada_value scene_x3d_list_of(const struct scene_x3d_names *lists, const char *text, char *tag,
                                              char *close, const struct scene_x3d_property *property)
 {
@@ -91,17 +83,20 @@ struct scene_collada_value scene_x3d_list_of(const struct scene_x3d_names *lists
     return list;
 }
 
-// Give a set what its heights make: points, and texture coordinates where it has none.
-static void add_grid(struct scene_import *import, struct scene_x3d_set *set)
+// Give a set what it is made of: points, and what else it does not have.
+static void add_made(struct scene_import *import, struct scene_x3d_set *set)
 {
-    if (scene_x3d_read_grid(import, set->tag, set->close, &set->grid)) {
-        const struct scene_collada_value points = {set->grid.points, strlen(set->grid.points)};
-        const struct scene_collada_value places = {set->grid.places, strlen(set->grid.places)};
-        set->parts[SCENE_X3D_POINTS] =
-            (struct scene_x3d_part){.property = scene_x3d_find_property("<Coordinate>"), .list = points};
-        if (set->parts[SCENE_X3D_PLACES].property == NULL) {
-            set->parts[SCENE_X3D_PLACES] = (struct scene_x3d_part){
-                .property = scene_x3d_find_property("<TextureCoordinate>"), .list = places};
+    static const char *const names[SCENE_X3D_PURPOSES] = {[SCENE_X3D_POINTS] = "<Coordinate>",
+                                                          [SCENE_X3D_NORMALS] = "<Normal>",
+                                                          [SCENE_X3D_PLACES] = "<TextureCoordinate>"};
+    if (!set->kind->make(import, set->tag, set->close, &set->made)) {
+        return;
+    }
+    for (int i = 0; i < SCENE_X3D_PURPOSES; i++) {
+        char *const list = set->made.lists[i];
+        if (list != NULL && (i == SCENE_X3D_POINTS || set->parts[i].property == NULL)) {
+            set->parts[i] = (struct scene_x3d_part){.property = scene_x3d_find_property(names[i]),
+                                                    .list = {list, strlen(list)}};
         }
     }
 }
@@ -112,7 +107,7 @@ const char *scene_x3d_find_parts(const struct scene_x3d_names *lists, const char
     const size_t length = strlen(set->kind->name);
     char *close = set->close;
     if (close[-1] == '/') {
-        return scene_x3d_is_grid(set->kind) ? close : NULL;
+        return set->kind->make != NULL ? close : NULL;
     }
     for (char *tag = strchr(close, '<'); tag != NULL; tag = strchr(close, '<')) {
         if (strncmp(tag + 1 + (tag[1] == '/'), set->kind->name, length) == 0) {
@@ -184,8 +179,7 @@ static void read_ways(struct scene_import *import, struct scene_x3d_set *set)
     set->is_parted = set->corners.count - set->corners.face_count < points;
     for (int i = SCENE_X3D_NORMALS; i < SCENE_X3D_PURPOSES; i++) {
         struct scene_x3d_part *const part = &set->parts[i];
-        part->is_of_faces =
-            flags[i] != NULL && is_false(scene_collada_attribute(set->tag, set->close, flags[i]));
+        part->is_of_faces = flags[i] != NULL && scene_x3d_is_false(set->tag, set->close, flags[i]);
         if (part->property == NULL) {
             continue;
         }
@@ -224,8 +218,8 @@ static void tell_short(struct scene_import *import, const struct scene_x3d_set *
 
 enum scene_x3d_found scene_x3d_read_set(struct scene_import *import, struct scene_x3d_set *set)
 {
-    if (scene_x3d_is_grid(set->kind)) {
-        add_grid(import, set);
+    if (set->kind->make != NULL) {
+        add_made(import, set);
     }
     if (set->parts[SCENE_X3D_POINTS].list.text == NULL) {
         return SCENE_X3D_NOTHING;
@@ -234,8 +228,8 @@ enum scene_x3d_found scene_x3d_read_set(struct scene_import *import, struct scen
         set->parts[i].numbers = scene_x3d_read_numbers(import, set->parts[i].list);
     }
     const size_t points = set->parts[SCENE_X3D_POINTS].numbers.count / 3;
-    const bool is_turned = is_false(scene_collada_attribute(set->tag, set->close, "ccw"));
-    set->index = scene_x3d_is_grid(set->kind) ? set->grid.index : read_index(import, set, points);
+    const bool is_turned = scene_x3d_is_false(set->tag, set->close, "ccw");
+    set->index = set->kind->make != NULL ? set->made.index : read_index(import, set, points);
     const enum scene_x3d_found found =
         scene_x3d_find_corners(import, &set->index, set->kind->order, is_turned, points, &set->corners);
     tell_short(import, set, found);
@@ -250,10 +244,9 @@ void scene_x3d_free_set(const struct scene_x3d_set *set)
     for (int i = 0; i < SCENE_X3D_PURPOSES; i++) {
         free(set->parts[i].numbers.list);
         free(set->parts[i].index.list);
+        free(set->made.lists[i]);
     }
-    free(set->index.list); // a grid has the same one
-    free(set->grid.points);
-    free(set->grid.places);
+    free(set->kind->make != NULL ? set->made.index.list : set->index.list);
     free(set->corners.list);
     free(set->corners.faces);
 }

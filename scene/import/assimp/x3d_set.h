@@ -3,18 +3,9 @@
 #ifndef SCENE_IMPORT_X3D_SET_H
 #define SCENE_IMPORT_X3D_SET_H
 
-#include "x3d_grid.h"
 #include "x3d_lists.h"
+#include "x3d_made.h"
 #include "x3d_names.h"
-
-/// What a corner may have.
-enum scene_x3d_purpose {
-    SCENE_X3D_POINTS,
-    SCENE_X3D_NORMALS,
-    SCENE_X3D_COLORS,
-    SCENE_X3D_PLACES, ///< texture coordinates
-    SCENE_X3D_PURPOSES
-};
 
 /// What belongs to corners, and how it is written.
 struct scene_x3d_property {
@@ -29,6 +20,8 @@ struct scene_x3d_kind {
     const char *index,
         *counts; ///< the attributes that have indices, and numbers of corners; NULL where it has none
     bool has_crease_angle;
+    scene_x3d_make *make; ///< NULL where its points are in the file
+    const char *told;     ///< what is told where nothing is made
 };
 
 /// What a set has of one property.
@@ -46,7 +39,7 @@ struct scene_x3d_part {
 struct scene_x3d_set {
     const struct scene_x3d_kind *kind;
     char *tag, *close;
-    struct scene_x3d_grid grid;
+    struct scene_x3d_made made;
     struct scene_x3d_part parts[SCENE_X3D_PURPOSES];
     struct scene_x3d_indices index;
     struct scene_x3d_corners corners;
@@ -59,7 +52,6 @@ const struct scene_x3d_property *scene_x3d_find_property(const char *tag);
 const struct scene_x3d_kind *scene_x3d_find_kind(const char *tag);
 bool scene_x3d_is_quads(const struct scene_x3d_kind *kind);
 bool scene_x3d_is_lines(const struct scene_x3d_kind *kind);
-bool scene_x3d_is_grid(const struct scene_x3d_kind *kind);
 /// Return the list of a property, or of the one of `lists` that it uses again, which count from `text`. Its text is
 /// NULL where there is none that can be written between quotation marks.
 struct scene_collada_value scene_x3d_list_of(const struct scene_x3d_names *lists, const char *text, char *tag,

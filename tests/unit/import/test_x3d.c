@@ -88,21 +88,6 @@ static void test_nodes(void **state)
          NULL},
         {"<Group USE='c'><!-- none --></Group>" SHAPE(""), 2, used},
         {"<Group><!-- one --></Group><Collision> " SHAPE("") "</Collision>", 2, NULL},
-        {"<Shape><Extrusion creaseAngle='0.5'/></Shape>", 13, "crease angles of extrusions (X3D): not used"},
-        {"<Shape><Extrusion crossSection='1 0 0 1 -1 0 0 -1 1 0' spine='0 0 0, 0 2 0'/></Shape>", 13, NULL},
-        {"<Shape><Extrusion crossSection='2 0 1 1 -1 1 -2 0 -1 -1 1 -1 2 0'/></Shape>", 21,
-         "crease angles of extrusions (X3D): not used"},
-        {"<Shape><Extrusion spine='0 0 0 0 1 0 0.3 2 0'/></Shape>", 21,
-         "crease angles of extrusions (X3D): not used"},
-        {"<Switch whichChoice='-1'><Shape><Appearance/><!-- --><Extrusion "
-         "creaseAngle='0.5'/></Shape></Switch>",
-         1, NULL},
-        {"<Switch whichChoice='-1'><Group/>" SHAPE(
-             "") "</Switch><Shape><Extrusion creaseAngle='0.5'/></Shape>",
-         13, "crease angles of extrusions (X3D): not used"},
-        {"<Switch whichChoice='-1'><Shape DEF='s'><Extrusion creaseAngle='0.5'/></Shape></Switch>"
-         "<Shape USE='s'/>",
-         13, "crease angles of extrusions (X3D): not used"},
         {"<Shape><IndexedFaceSet coordIndex=''><Coordinate point='0 0 0'/></IndexedFaceSet></Shape>", 1,
          NULL},
         {"<Shape><IndexedFaceSet coordIndex='-1 0 1 2 -1 -1'><Coordinate point='0 0 0 1 0 0 0 1 0'/>"

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+// The numbers that geometry is made of, and those that it becomes.
+#include "x3d_made.h"
+
+#include "import/builder/decimal.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+double scene_x3d_number_of(char *tag, char *close, const char *name, double usual)
+{
+    const struct scene_collada_value value = scene_collada_attribute(tag, close, name);
+    double number = usual;
+    return value.text != NULL && scene_decimal_read(value.text, value.text + value.length, &number) != NULL
+               ? number
+               : usual;
+}
+
+bool scene_x3d_is_false(char *tag, char *close, const char *name)
+{
+    static const char word[] = "false";
+    const struct scene_collada_value value = scene_collada_attribute(tag, close, name);
+    return value.text != NULL && value.length == strlen(word) && memcmp(value.text, word, value.length) == 0;
+}
+
+double *scene_x3d_numbers_of(struct scene_import *import, char *tag, char *close, const char *name,
+                             const char *usual, size_t *count)
+{
+    struct scene_collada_value text = scene_collada_attribute(tag, close, name);
+    if (text.text == NULL) {
+        text = (struct scene_collada_value){(char *)(uintptr_t)usual, strlen(usual)};
+    }
+    const struct scene_x3d_numbers numbers = scene_x3d_read_numbers(import, text);
+    double *const list = scene_import_allocate(import, numbers.count + 1, sizeof *list);
+    *count = numbers.count;
+    for (size_t i = 0; i < numbers.count; i++) {
+        const struct scene_collada_value number = numbers.list[i];
+        const char *const end = number.text + number.length;
+        if (scene_decimal_read(number.text, end, &list[i]) != end) {
+            *count = 0;
+        }
+    }
+    free(numbers.list);
+    return list;
+}
+
+char *scene_x3d_write_numbers(struct scene_import *import, const float *numbers, size_t count)
+{
+    enum { LONGEST = 17 }; // a sign, 9 digits with a point, an exponent and a blank
+    char *const text = scene_import_allocate(import, count + 1, LONGEST), *end = text;
+    for (size_t i = 0; i < count; i++) {
+        end += sprintf(end, "%.9g ", (double)numbers[i]);
+    }
+    return text;
+}
+
+void scene_x3d_add_index(struct scene_x3d_made *made, size_t index)
+{
+    made->index.list[made->index.count++] = (int64_t)index;
+}
+
+void scene_x3d_end_face(struct scene_x3d_made *made)
+{
+    made->index.list[made->index.count++] = -1;
+}

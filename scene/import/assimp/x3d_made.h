@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// Geometry of an X3D that is described by other numbers than those of its points, as the set that it becomes.
+#ifndef SCENE_IMPORT_X3D_MADE_H
+#define SCENE_IMPORT_X3D_MADE_H
+
+#include "x3d_lists.h"
+
+/// What a corner may have.
+enum scene_x3d_purpose {
+    SCENE_X3D_POINTS,
+    SCENE_X3D_NORMALS,
+    SCENE_X3D_COLORS,
+    SCENE_X3D_PLACES, ///< texture coordinates
+    SCENE_X3D_PURPOSES
+};
+
+struct scene_x3d_made {
+    char *lists[SCENE_X3D_PURPOSES]; ///< what its points have; NULL for what the file says, or is made later
+    struct scene_x3d_indices index;  ///< the faces
+};
+
+/// Make a set of the geometry whose tag ends at `close`. Return false if it has no faces, or numbers that are none.
+/// Free what `made` has then too.
+typedef bool scene_x3d_make(struct scene_import *import, char *tag, char *close, struct scene_x3d_made *made);
+
+scene_x3d_make scene_x3d_make_grid;
+scene_x3d_make scene_x3d_make_extrusion;
+
+/// Return the number of an attribute, or `usual` where it has none.
+double scene_x3d_number_of(char *tag, char *close, const char *name, double usual);
+/// Return true for an attribute that is false.
+bool scene_x3d_is_false(char *tag, char *close, const char *name);
+/// Return the numbers of an attribute, or of `usual` where the tag has none, and how many there are. These are 0 if
+/// one of them is no number.
+double *scene_x3d_numbers_of(struct scene_import *import, char *tag, char *close, const char *name,
+                             const char *usual, size_t *count);
+/// Return the text of a list of numbers.
+char *scene_x3d_write_numbers(struct scene_import *import, const float *numbers, size_t count);
+/// Add an index to as many as `made` has room for.
+void scene_x3d_add_index(struct scene_x3d_made *made, size_t index);
+/// End a face.
+void scene_x3d_end_face(struct scene_x3d_made *made);
+
+#endif
