@@ -90,10 +90,9 @@ char *scene_assimp_fbx(struct scene_import *import, size_t *size);
 /// Return the bytes of a 3DS as assimp can read it: without keys that would tear its meshes apart, with the smoothing
 /// groups that its faces lack, and with a chunk in place of zeros. Return NULL if it is right as it is, or no 3DS.
 char *scene_assimp_3ds(struct scene_import *import, size_t *size);
-/// Return the text of an X3D, or of one that it shows, as assimp can read it, a 0 behind it. Return NULL if the file is
-/// none.
-char *scene_assimp_x3d(struct scene_import *import, const char *path,
-                       const struct scene_assimp_unknowns *unknowns, size_t *size);
+/// Return the text of an X3D as assimp can read it, a 0 behind it. Return NULL if the file is none.
+char *scene_assimp_x3d(struct scene_import *import, const struct scene_assimp_unknowns *unknowns,
+                       size_t *size);
 /// Hide the proxies of an X3D. Return the text, which may be another one by then. A 0 follows it.
 char *scene_assimp_hide_proxies(struct scene_import *import, char *text, size_t *size);
 /// Add the node that assimp has refused an X3D for, by its error, and tell of it. Return false if it is for another

@@ -57,8 +57,7 @@ static void flush(struct aiFile *file)
 // Files in memory ------------------------------------------------------------------------------------
 
 struct memory {
-    const char *bytes; // they outlive the file, unless they are `owned`
-    char *owned;
+    const char *bytes; // they outlive the file
     size_t size, place;
 };
 
@@ -179,8 +178,7 @@ static struct aiFile *open_model(struct scene_assimp_source *source)
         changed = changed != NULL ? changed : scene_assimp_dxf(source->import, &source->changed_size);
         changed = changed != NULL ? changed : scene_assimp_fbx(source->import, &source->changed_size);
         changed = changed != NULL ? changed
-                                  : scene_assimp_x3d(source->import, source->import->model.path,
-                                                     source->unknowns, &source->changed_size);
+                                  : scene_assimp_x3d(source->import, source->unknowns, &source->changed_size);
         changed = changed != NULL ? changed : scene_assimp_3ds(source->import, &source->changed_size);
         source->changed = changed;
         source->is_looked_at = true;
@@ -188,26 +186,8 @@ static struct aiFile *open_model(struct scene_assimp_source *source)
     return open_memory(source->changed, source->changed_size);
 }
 
-// Open a file that an X3D shows. Return NULL if it is another one.
-static struct aiFile *open_inline(struct scene_assimp_source *source, const char *path)
-{
-    size_t size;
-    const char *const dot = strrchr(path, '.');
-    const bool is_x3d = dot != NULL && strcasecmp(dot, ".x3d") == 0;
-    char *const text = is_x3d ? scene_assimp_x3d(source->import, path, source->unknowns, &size) : NULL;
-    struct aiFile *const file = text != NULL ? open_memory(text, size) : NULL;
-    if (file == NULL) {
-        free(text);
-        return NULL;
-    }
-    memory_of(file)->owned = text;
-    scene_assimp_find_gaps_within(source->import, path);
-    return file;
-}
-
 static void close_memory(struct aiFile *file)
 {
-    free(memory_of(file)->owned);
     free(memory_of(file));
     free(file);
 }
@@ -218,9 +198,7 @@ static struct aiFile *open_file(struct aiFileIO *files, const char *path, const 
     struct scene_import *const import = source->import;
     const bool is_model = strcmp(path, import->model.path) == 0;
     const bool may_read = mode[0] == 'r' && (is_model || scene_import_within(import, path));
-    struct aiFile *const changed = !may_read  ? NULL
-                                   : is_model ? open_model(source)
-                                              : open_inline(source, path);
+    struct aiFile *const changed = is_model && may_read ? open_model(source) : NULL;
     if (changed != NULL) {
         return changed;
     }

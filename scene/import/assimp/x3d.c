@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-// X3D for assimp, which 5.2.5 reads otherwise than it is written. A list of addresses is of strings in quotation marks,
-// as in url='"wall.png" "http://…/wall.png"', of which assimp refuses one, and makes one of several. It gets the one
-// that is there. It also refuses a file for any node that it does not know, so it gets the file without it. Texts of
-// metadata it takes for numbers, so it gets no metadata, which is about no picture.
+// X3D for assimp, which 5.2.5 reads otherwise than it is written. It refuses a file for any node that it does not know,
+// so it gets the file without it. Texts of metadata it takes for numbers, so it gets no metadata, which is about no
+// picture.
 #include "assimp.h"
 #include "collada_markup.h"
 #include "edits.h"
-#include "import/builder/find_file.h"
+#include "x3d_document.h"
 #include "x3d_faces.h"
 #include "x3d_groups.h"
 #include "x3d_materials.h"
@@ -15,92 +14,6 @@
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
-
-// Pass quotation marks, which may be written as &quot;. Return their length, or 0 where there are none.
-static size_t quote_at(const char *text, const char *end)
-{
-    static const char entity[] = "&quot;";
-    const bool is_entity =
-        (size_t)(end - text) >= strlen(entity) && memcmp(text, entity, strlen(entity)) == 0;
-    return is_entity ? strlen(entity) : text < end && *text == '"' ? 1 : 0;
-}
-
-// Find the next string in quotation marks from `text` on. Return what follows it, or NULL where there is none.
-static const char *next_string(const char *text, const char *end, struct scene_collada_value *string)
-{
-    while (text < end && quote_at(text, end) == 0) {
-        text++;
-    }
-    if (text == end) {
-        return NULL;
-    }
-    text += quote_at(text, end);
-    string->text = (char *)(uintptr_t)text;
-    while (text < end && quote_at(text, end) == 0) {
-        text++;
-    }
-    string->length = (size_t)(text - string->text);
-    return text == end ? NULL : text + quote_at(text, end);
-}
-
-// Return a string with %20 for its blanks, which assimp leaves out.
-static char *escape(struct scene_import *import, struct scene_collada_value string)
-{
-    char *const escaped = scene_import_allocate(import, 3 * string.length + 1, 1);
-    size_t length = 0;
-    for (size_t i = 0; i < string.length; i++) {
-        if (string.text[i] == ' ') {
-            memcpy(escaped + length, "%20", 3);
-            length += 3;
-        } else {
-            escaped[length++] = string.text[i];
-        }
-    }
-    return escaped;
-}
-
-// Return the first of the addresses in an attribute whose file is there, or else the first. Return NULL if none of them
-// is in quotation marks.
-static char *choose(struct scene_import *import, struct scene_collada_value url)
-{
-    enum { MOST = 16 };
-    const char *place = url.text, *const end = url.text + url.length;
-    struct scene_collada_value string;
-    char *chosen = NULL;
-    bool is_there = false;
-    for (int i = 0; i < MOST && !is_there; i++) {
-        place = next_string(place, end, &string);
-        if (place == NULL) {
-            break;
-        }
-        char *const address = escape(import, string);
-        is_there = scene_import_find_file(import, address) != NULL;
-        if (chosen == NULL || is_there) {
-            free(chosen);
-            chosen = address;
-        } else {
-            free(address);
-        }
-    }
-    return chosen;
-}
-
-// Write the address of a tag.
-static void write_address(struct scene_import *import, struct scene_edits *edits, const char *text, char *tag,
-                          char *close)
-{
-    static const char *const nodes[] = {"ImageTexture", "Inline", "MovieTexture", "AudioClip"};
-    for (size_t i = 0; i < sizeof nodes / sizeof nodes[0]; i++) {
-        const struct scene_collada_value url = scene_collada_is_tag(tag, nodes[i])
-                                                   ? scene_collada_attribute(tag, close, "url")
-                                                   : (struct scene_collada_value){NULL, 0};
-        char *const chosen = url.text == NULL ? NULL : choose(import, url);
-        if (chosen != NULL) {
-            scene_edits_add_string(import, edits, (size_t)(url.text - text), url.length, chosen);
-            free(chosen);
-        }
-    }
-}
 
 // Write a tag of metadata, which holds nothing but others of its kind, as a text. Return false if it is another.
 static bool write_metadata(struct scene_import *import, struct scene_edits *edits, const char *text,
@@ -143,7 +56,8 @@ static void write_blanks(char *text, size_t *size)
     *size = length;
 }
 
-static char *write_tags(struct scene_import *import, char *source, size_t *size)
+static char *write_tags(struct scene_import *import, const struct scene_x3d_document *document, char *source,
+                        size_t *size)
 {
     write_blanks(source, size);
     char *const text =
@@ -165,8 +79,9 @@ static char *write_tags(struct scene_import *import, char *source, size_t *size)
                    !scene_assimp_write_faces(import, &edits, &faces, text, tag, close, text + *size) &&
                    !scene_assimp_write_material(import, &edits, &materials,
                                                 &(struct scene_x3d_tag){text, text + *size, tag, &close}) &&
-                   !scene_assimp_write_group(import, &edits, text, tag, close)) {
-            write_address(import, &edits, text, tag, close);
+                   !scene_assimp_write_group(import, &edits, text, tag, close) &&
+                   !scene_x3d_write_inline(import, &edits, document, text, tag, close)) {
+            scene_x3d_write_address(import, &edits, document, text, tag, close);
         }
     }
     scene_x3d_free_faces(&faces);
@@ -207,22 +122,29 @@ static void blank_nodes(char *text, size_t size, const struct scene_assimp_unkno
     }
 }
 
-char *scene_assimp_x3d(struct scene_import *import, const char *path,
-                       const struct scene_assimp_unknowns *unknowns, size_t *size)
+char *scene_x3d_read_document(struct scene_import *import, const struct scene_x3d_document *document,
+                              size_t *size)
 {
     const char *problem = NULL;
-    char *const text =
-        strcasecmp(import->ending, "x3d") == 0 ? scene_import_read_bytes(path, size, &problem) : NULL;
+    char *const text = scene_import_read_bytes(document->path, size, &problem);
     if (text == NULL || strncmp(text, "\xff\xfe", 2) == 0 || strncmp(text, "\xfe\xff", 2) == 0) {
         free(text);
         return NULL;
     }
-    char *const written =
-        write_tags(import, text, size); // assimp names the parents of nodes as they are written
-    for (unsigned i = 0; i < unknowns->count; i++) {
-        blank_nodes(written, *size, &unknowns->list[i]);
+    return write_tags(import, document, text, size);
+}
+
+char *scene_assimp_x3d(struct scene_import *import, const struct scene_assimp_unknowns *unknowns,
+                       size_t *size)
+{
+    size_t room = (size_t)1 << 25;
+    const struct scene_x3d_document document = {import->model.path, "", NULL, &room};
+    char *const text =
+        strcasecmp(import->ending, "x3d") == 0 ? scene_x3d_read_document(import, &document, size) : NULL;
+    for (unsigned i = 0; text != NULL && i < unknowns->count; i++) {
+        blank_nodes(text, *size, &unknowns->list[i]); // assimp names the parents of nodes as they are written
     }
-    return written;
+    return text;
 }
 
 bool scene_assimp_leave_out(struct scene_import *import, const char *error,

@@ -202,8 +202,8 @@ static char *write_use(struct work *work, char *tag, char *close, const char *en
 // nodes of the document for at each use.
 static bool is_written_again(const char *tag)
 {
-    static const char *const nodes[] = {"Shape", "Appearance", "Material", "ImageTexture",
-                                        "TextureTransform"};
+    static const char *const nodes[] = {"Shape",        "Appearance",       "Material",
+                                        "ImageTexture", "TextureTransform", "Inline"};
     bool is_node = find_group(tag) != NULL;
     for (size_t i = 0; i < sizeof nodes / sizeof nodes[0]; i++) {
         is_node = is_node || scene_collada_is_tag(tag, nodes[i]);

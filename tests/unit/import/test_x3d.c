@@ -647,24 +647,6 @@ static void test_lines(void **state)
     scene_model_free(model);
 }
 
-// What another file shows in this one is read as this one is, and tells what it lacks.
-static void test_inline_files(void **state)
-{
-    (void)state;
-    static const char within[] =
-        "<X3D><Scene><Shape><Appearance><PhysicalMaterial baseColor='0 1 0'/></Appearance>"
-        "<QuadSet><Coordinate point='0 0 0 1 0 0 1 1 0 0 1 0'/></QuadSet></Shape>"
-        "<Shape><Text string='a'/></Shape></Scene></X3D>";
-    write_bytes("within.x3d", within, sizeof within - 1);
-    struct scene_model *const model =
-        load_text("i.x3d", "<X3D><Scene><Inline url='\"within.x3d\"'/></Scene></X3D>");
-    assert_int_equal(model->triangles_drawn, 2);
-    assert_true(is_unsupported(model, "physically based materials (X3D): drawn dull, in their base colour"));
-    assert_true(is_unsupported(model, "text: not drawn"));
-    assert_int_equal(model->unsupported_count, 2);
-    scene_model_free(model);
-}
-
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_addresses),
     cmocka_unit_test(test_nodes),
@@ -681,7 +663,6 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_lacking_colors),
     cmocka_unit_test(test_points_of_faces),
     cmocka_unit_test(test_lines),
-    cmocka_unit_test(test_inline_files),
 };
 
 const struct unit_tests test_x3d = UNIT_TESTS(tests, make_directory, remove_directory);
