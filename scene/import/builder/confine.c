@@ -27,6 +27,13 @@ bool scene_import_is_file(const struct scene_import *import, const char *path)
     return stat(path, &status) == 0 && S_ISREG(status.st_mode) && scene_import_within(import, path);
 }
 
+bool scene_import_is_irregular(const struct scene_import *import, const char *path)
+{
+    struct stat status;
+    return stat(path, &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode) &&
+           scene_import_within(import, path);
+}
+
 // Return true if the component before `end`, which is behind its slash, is a name that ".." takes back. `start` is then
 // where it begins.
 static bool find_parent(const char *path, const char *end, size_t *start)

@@ -300,7 +300,7 @@ static void test_no_files(void **state)
     expect_refused("pipe.obj", "is not a regular file");
 }
 
-// A texture that is a pipe must not be waited for.
+// A texture or a material library that is a pipe or a device must not be waited for, and is told as what it is.
 static void test_pipe_as_texture(void **state)
 {
     (void)state;
@@ -308,11 +308,19 @@ static void test_pipe_as_texture(void **state)
     write_text("pipe.mtl", "newmtl m\nmap_Kd pipe.png\n");
     struct scene_model *model =
         load_text("piped.obj", "mtllib pipe.mtl\nusemtl m\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-    assert_true(has_warning(model, "pipe.png"));
+    assert_true(has_warning(model, "texture \"pipe.png\": is not a regular file; drawn in magenta"));
     assert_true(model->images[0].missing);
     // Its stand-in has hard edges.
     const struct scene_texture_slot *const slot = &model->materials[0].slots[SCENE_SLOT_BASE_COLOR];
     assert_true(slot->min_filter == RHW_FILTER_NEAREST && slot->mag_filter == RHW_FILTER_NEAREST);
+    scene_model_free(model);
+    assert_int_equal(mkfifo(path_of("library.mtl"), 0600), 0);
+    model = load_text("library.obj", "mtllib library.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    assert_true(has_warning(model, "material library \"library.mtl\": is not a regular file"));
+    scene_model_free(model);
+    write_text("zero.mtl", "newmtl m\nmap_Kd /dev/zero\n");
+    model = load_text("zero.obj", "mtllib zero.mtl\nusemtl m\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    assert_true(has_warning(model, "texture \"/dev/zero\": is not a regular file; drawn in magenta"));
     scene_model_free(model);
 }
 
