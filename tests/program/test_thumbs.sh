@@ -75,8 +75,12 @@ check "the mark is no option for users" sh -c "! '$rhw' render --help | grep -q 
 # A link to a folder is not followed: it may lead back.
 ln -s . in/here
 ln -s .. in/deep/above
-succeed thumbs in -o out --size 32 --force
+run thumbs in -o out --size 32 --force
 check "links to folders" grep -q "^3 drawn, 0 kept, 0 failed$" "$folder/log/out"
+for name in here deep/above; do
+    check "$name is said" grep -q "^rhw: in/$name: warning: is a link to a folder, and is left out$" "$folder/log/err"
+done
+succeed thumbs in -o out --size 32 --quiet
 
 # The camera of a file is taken, unless --fit says otherwise: as render does. A ground that makes it a dot is left out of
 # the subject.

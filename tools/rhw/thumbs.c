@@ -296,7 +296,10 @@ static bool visit(struct thumbs *t, const char *in, const char *out, const char 
         return true; // it is gone, or a link to nowhere
     }
     if (S_ISDIR(status.st_mode) && system_file_is_link(model)) {
-        return true; // it may lead back here
+        if (!t->quiet) {
+            cli_warning(model, "is a link to a folder, and is left out"); // it may lead back here
+        }
+        return true;
     }
     const bool is_folder = S_ISDIR(status.st_mode);
     if (!is_folder && (!S_ISREG(status.st_mode) || !cli_thumb_is_model(name))) {
