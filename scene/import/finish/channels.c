@@ -11,7 +11,7 @@
 static struct scene_image *find_image(struct scene_import *import, int32_t index)
 {
     struct scene_image *image = index < 0 ? NULL : &import->model.images[index];
-    return image != NULL && !image->missing && scene_import_make_rgba8(import, image) ? image : NULL;
+    return image != NULL && !image->missing ? image : NULL;
 }
 
 // Return the value of a channel at the nearest texel. Return the full value if the image is missing.
@@ -23,7 +23,7 @@ static uint8_t value_at(const struct scene_image *image, int channel, const stru
     }
     const size_t column = (size_t)x * image->width / grid->width,
                  row = (size_t)y * image->height / grid->height;
-    return ((const uint8_t *)image->texels)[(row * image->width + column) * 4 + (size_t)channel];
+    return scene_import_value8(image, (row * image->width + column) * 4 + (size_t)channel);
 }
 
 bool scene_import_join_channels(struct scene_import *import, struct scene_image *image,

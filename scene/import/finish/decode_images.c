@@ -117,40 +117,34 @@ static int helper_count(uint32_t images)
 
 // Set alpha from the opacity map at the nearest texel: from the map's own alpha if it has one, else from its
 // brightness.
-static void apply_opacity(struct scene_import *import, struct scene_image *image, struct scene_image *opacity,
-                          bool white)
+static void apply_opacity(struct scene_image *image, const struct scene_image *opacity, bool white)
 {
-    if (opacity->missing || !scene_import_make_rgba8(import, image) ||
-        !scene_import_make_rgba8(import, opacity)) {
+    if (opacity->missing) {
         return;
     }
     const bool alpha = opacity->has_alpha;
-    uint8_t *texels = image->texels;
-    const uint8_t *map = opacity->texels;
     for (uint32_t y = 0; y < image->height; y++) {
         for (uint32_t x = 0; x < image->width; x++) {
             const size_t column = (size_t)x * opacity->width / image->width;
             const size_t row = (size_t)y * opacity->height / image->height;
-            const uint8_t *texel = map + (row * opacity->width + column) * 4;
-            const int brightness = (texel[0] + texel[1] + texel[2]) / 3;
-            uint8_t *target = texels + ((size_t)y * image->width + x) * 4;
-            target[3] = alpha ? texel[3] : (uint8_t)brightness;
-            if (white) {
-                memset(target, UINT8_MAX, 3);
+            const size_t from = (row * opacity->width + column) * 4, to = ((size_t)y * image->width + x) * 4;
+            const int sum = scene_import_value8(opacity, from) + scene_import_value8(opacity, from + 1) +
+                            scene_import_value8(opacity, from + 2);
+            scene_import_set_value8(image, to + 3,
+                                    alpha ? scene_import_value8(opacity, from + 3) : (uint8_t)(sum / 3));
+            for (size_t c = 0; c < 3 && white; c++) {
+                scene_import_set_value8(image, to + c, UINT8_MAX);
             }
         }
     }
     scene_image_find_alpha(image);
 }
 
-static void drop_alpha(struct scene_import *import, struct scene_image *image)
+static void drop_alpha(struct scene_image *image)
 {
-    if (image->missing || !image->has_alpha || !scene_import_make_rgba8(import, image)) {
-        return;
-    }
-    uint8_t *const texels = image->texels;
-    for (size_t i = 3; i < image->size; i += 4) {
-        texels[i] = UINT8_MAX;
+    const size_t end = (size_t)image->width * image->height * 4;
+    for (size_t i = 3; i < end; i += 4) {
+        scene_import_set_value8(image, i, UINT8_MAX);
     }
     image->has_alpha = false;
 }
@@ -159,10 +153,10 @@ static bool is_grey(const struct scene_image *image)
 {
     // The tolerance is of 255. JPEG does not keep grey exactly.
     enum { TOLERANCE = 8 };
-    const uint8_t *texels = image->texels;
-    const size_t count = (size_t)image->width * image->height;
-    for (size_t i = 0; i < count; i++) {
-        const int red = texels[4 * i], green = texels[4 * i + 1], blue = texels[4 * i + 2];
+    const size_t end = (size_t)image->width * image->height * 4;
+    for (size_t i = 0; i < end; i += 4) {
+        const int red = scene_import_value8(image, i), green = scene_import_value8(image, i + 1),
+                  blue = scene_import_value8(image, i + 2);
         if (abs(red - green) > TOLERANCE || abs(green - blue) > TOLERANCE) {
             return false;
         }
@@ -173,9 +167,10 @@ static bool is_grey(const struct scene_image *image)
 // Make normals of a height field by central differences. The whole range of heights is as high as 4 texels are broad.
 static void height_to_normals(struct scene_import *import, struct scene_image *image)
 {
-    if (image->missing || !scene_import_make_rgba8(import, image) || !is_grey(image)) {
+    if (image->missing || !is_grey(image)) {
         return;
     }
+    scene_import_make_rgba8(import, image);
     const float scale = 4.0f / 255 / 2;
     const uint32_t width = image->width, height = image->height;
     const uint8_t *heights = image->texels;
@@ -204,13 +199,13 @@ static void height_to_normals(struct scene_import *import, struct scene_image *i
 // Return true if nearly all texels are either there or not, as in the cut-out leaves of a tree.
 static bool is_cut_out(const struct scene_image *image)
 {
-    const uint8_t *alpha = (const uint8_t *)image->texels + 3;
     const size_t count = (size_t)image->width * image->height;
     size_t between = 0;
     for (size_t i = 0; i < count; i++) {
-        between += alpha[4 * i] > 16 && alpha[4 * i] < 239;
+        const uint8_t alpha = scene_import_value8(image, 4 * i + 3);
+        between += alpha > 16 && alpha < 239;
     }
-    return image->type == SCENE_IMAGE_RGBA8 && between <= count / 10;
+    return between <= count / 10;
 }
 
 // Choose the mode of materials whose texture has an alpha that counts. A cut-out needs no sorting by distance, which
@@ -347,11 +342,11 @@ void scene_import_decode_images(struct scene_import *import)
             scene_import_fail(import, "needs more memory than there is");
         }
         if (import->sources[i].opacity_image >= 0) {
-            apply_opacity(import, &model->images[i], &model->images[import->sources[i].opacity_image],
+            apply_opacity(&model->images[i], &model->images[import->sources[i].opacity_image],
                           import->sources[i].white);
         }
         if (import->sources[i].is_opaque) {
-            drop_alpha(import, &model->images[i]);
+            drop_alpha(&model->images[i]);
         }
         if (import->sources[i].height) {
             height_to_normals(import, &model->images[i]);

@@ -35,9 +35,13 @@ void scene_import_lay_image(struct scene_import *import, struct scene_image *ima
                             const struct scene_import_layer *layer)
 {
     struct scene_image *below = layer->image < 0 ? NULL : &import->model.images[layer->image];
-    const bool lower = below != NULL && !below->missing && scene_import_make_rgba8(import, below);
-    if (image->missing || !scene_import_make_rgba8(import, image) || !image->has_alpha) {
+    const bool lower = below != NULL && !below->missing && below->type != SCENE_IMAGE_RGBA32F;
+    if (image->missing || image->type == SCENE_IMAGE_RGBA32F || !image->has_alpha) {
         return;
+    }
+    scene_import_make_rgba8(import, image);
+    if (lower) {
+        scene_import_make_rgba8(import, below);
     }
     float decoded[256];
     for (int i = 0; i < 256; i++) {

@@ -139,35 +139,77 @@ static void test_opacity_maps(void **state)
     }
 }
 
+// Write a DDS of two texels of floats.
+static void write_floats(const char *name, const float texels[8])
+{
+    uint32_t head[32] = {0x20534444, 124, 0x1007, 1, 2};
+    head[19] = 32;
+    head[20] = 4;   // a code
+    head[21] = 116; // of R32G32B32A32
+    head[27] = 0x1000;
+    unsigned char bytes[sizeof head + 8 * sizeof *texels];
+    memcpy(bytes, head, sizeof head);
+    memcpy(bytes + sizeof head, texels, 8 * sizeof *texels);
+    write_bytes(name, bytes, sizeof bytes);
+}
+
+// Return a value of an image, of which 255 is the whole.
+static float value_of(const struct scene_image *image, size_t place)
+{
+    return image->type == SCENE_IMAGE_RGBA8 ? ((const uint8_t *)image->texels)[place]
+                                            : 255 * ((const float *)image->texels)[place];
+}
+
 // The alpha of a colour's texture is none of the material's, unless the file says so, also where the material lets
-// light through.
+// light through. It is so in images of floats too.
 static void test_alpha_of_colors(void **state)
 {
     (void)state;
     const unsigned char bytes[26] = {[2] = 2, [12] = 2, [14] = 1, [16] = 32, [17] = 8, [18] = 3, 2,
                                      1,       128,      6,        5,         4,        0};
     write_bytes("clear.tga", bytes, sizeof bytes);
+    write_floats("clear.dds", (const float[]){1, 2, 3, 128 / 255.0f, 4, 5, 6, 0});
+    write_floats("grey.dds", (const float[]){128 / 255.0f, 0.5f, 0.5f, 1, 0, -1, 0, 1});
     static const struct {
         const char *lines;
         enum scene_alpha_mode mode;
-        float opacity;
-        uint8_t alphas[2];
+        float opacity, alphas[2], red;
     } cases[] = {
-        {"d 0.5\nmap_Kd clear.tga\n", SCENE_ALPHA_BLEND, 0.5f, {255, 255}},
-        {"d 0.5\nmap_Kd clear.tga\nmap_d clear.tga\n", SCENE_ALPHA_BLEND, 0.5f, {128, 0}},
-        {"map_Kd clear.tga\n", SCENE_ALPHA_OPAQUE, 1, {128, 0}},
+        {"d 0.5\nmap_Kd clear.tga\n", SCENE_ALPHA_BLEND, 0.5f, {255, 255}, 4},
+        {"d 0.5\nmap_Kd clear.tga\nmap_d clear.tga\n", SCENE_ALPHA_BLEND, 0.5f, {128, 0}, 4},
+        {"map_Kd clear.tga\n", SCENE_ALPHA_OPAQUE, 1, {128, 0}, 4},
+        {"d 0.5\nmap_Kd clear.dds\n", SCENE_ALPHA_BLEND, 0.5f, {255, 255}, 4 * 255},
+        {"map_Kd clear.tga\nmap_d clear.dds\n", SCENE_ALPHA_BLEND, 1, {128, 0}, 4},
+        {"map_Kd clear.dds\nmap_d grey.dds\n", SCENE_ALPHA_BLEND, 1, {128, 0}, 4 * 255},
     };
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         struct scene_model *const model = load_material(cases[i].lines);
         const struct scene_material *const material = material_of(model);
-        const uint8_t *const texels = model->images[material->slots[SCENE_SLOT_BASE_COLOR].image].texels;
+        const struct scene_image *const image = &model->images[material->slots[SCENE_SLOT_BASE_COLOR].image];
         assert_int_equal(material->alpha_mode, cases[i].mode);
         assert_floats(&material->base_color[3], &cases[i].opacity, 1, 0);
-        assert_int_equal(texels[3], cases[i].alphas[0]);
-        assert_int_equal(texels[7], cases[i].alphas[1]);
-        assert_int_equal(texels[4], 4);
+        assert_float_equal(value_of(image, 3), cases[i].alphas[0], 1e-4f);
+        assert_float_equal(value_of(image, 7), cases[i].alphas[1], 0);
+        assert_float_equal(value_of(image, 4), cases[i].red, 0);
         scene_model_free(model);
     }
+}
+
+// Images of floats are roughness, metal and heights as others are.
+static void test_maps_of_floats(void **state)
+{
+    (void)state;
+    write_floats("map.dds", (const float[]){200 / 255.0f, 0, 0, 1, 2, -1, 0, 1});
+    struct scene_model *model = load_material("map_Pm map.dds\n");
+    const struct scene_image *image =
+        &model->images[material_of(model)->slots[SCENE_SLOT_METALLIC_ROUGHNESS].image];
+    assert_memory_equal(image->texels, ((const uint8_t[]){255, 255, 200, 255, 255, 255, 255, 255}), 8);
+    scene_model_free(model);
+    write_floats("heights.dds", (const float[]){1, 1, 1, 1, 1, 1, 1, 1});
+    model = load_material("map_bump heights.dds\n");
+    image = &model->images[material_of(model)->slots[SCENE_SLOT_NORMAL].image];
+    assert_memory_equal(image->texels, ((const uint8_t[]){128, 128, 255, 255, 128, 128, 255, 255}), 8);
+    scene_model_free(model);
 }
 
 // Heights become normals by central differences, around the edges too: 255 stands for 4 texels. Normals stay what they are.
@@ -528,6 +570,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_emission_and_relief),
     cmocka_unit_test(test_opacity_maps),
     cmocka_unit_test(test_alpha_of_colors),
+    cmocka_unit_test(test_maps_of_floats),
     cmocka_unit_test(test_heights),
     cmocka_unit_test(test_factors),
     cmocka_unit_test(test_comments),
