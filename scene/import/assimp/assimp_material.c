@@ -268,14 +268,14 @@ static void read_skin(const struct reader *reader, struct scene_phong_texture *t
     if (!scene_assimp_has_skins(reader->import) || skin.file != NULL || skin.bytes != NULL) {
         return;
     }
-    if (!scene_assimp_find_skin(reader->import, &skin)) {
+    if (!scene_assimp_find_skin(reader->import, texture->name, &skin)) {
         if (texture->name == NULL) {
             scene_import_unsupported(reader->import, "skins that the file does not name: not drawn");
         }
         return;
     }
-    const char *const slash = strrchr(skin.file, '/');
-    const char *const name = slash == NULL ? skin.file : slash + 1;
+    const char *const folder = reader->import->directory[0] != 0 ? reader->import->directory : "./";
+    const char *const name = skin.file + strlen(folder); // from the folder of the model
     if (texture->name == NULL) {
         scene_import_warn(reader->import, "names no skin; \"%s\" beside it is drawn", name);
     } else {
@@ -290,6 +290,7 @@ static void read_textures(const struct reader *reader, struct scene_phong *phong
     read_texture(reader, aiTextureType_BASE_COLOR, &phong->color);
     read_texture(reader, aiTextureType_DIFFUSE, &phong->color);
     read_skin(reader, &phong->color);
+    phong->color.source.is_skin = scene_assimp_has_skins(reader->import);
     read_texture(reader, aiTextureType_OPACITY, &phong->opacity_map);
     phong->color.source.is_opacity = phong->color.name != NULL && has_images_with_alpha(reader->import);
     // Collada calls relief what may be heights or normals, which the image itself tells.

@@ -219,7 +219,8 @@ static struct scene_import_folder *folder_at(struct scene_import *import, const 
     return folder;
 }
 
-const char *scene_folder_own_image(struct scene_import *import, const char *path, const char *stem)
+const char *scene_folder_own_image(struct scene_import *import, const char *path, const char *stem,
+                                   bool if_written)
 {
     const struct scene_import_folder *const folder = folder_at(import, path);
     const size_t length = strlen(stem);
@@ -227,10 +228,10 @@ const char *scene_folder_own_image(struct scene_import *import, const char *path
     int least = ENDINGS;
     for (size_t i = 0; folder != NULL && i < folder->count; i++) {
         const char *const name = folder->names[i];
-        if (strncasecmp(name, stem, length) == 0 && strrchr(name, '.') == name + length &&
-            loose_ending_of(name) < least) {
+        const int ending = if_written ? ending_of(name) : loose_ending_of(name);
+        if (strncasecmp(name, stem, length) == 0 && strrchr(name, '.') == name + length && ending < least) {
             found = name;
-            least = loose_ending_of(name);
+            least = ending;
         }
     }
     return found == NULL ? NULL : file_in(import, path, found);

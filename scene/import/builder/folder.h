@@ -12,8 +12,9 @@ bool scene_folder_find(struct scene_import *import, char *path, size_t known, bo
 
 /// Return the path of the image that is called `stem`, in any letters, or of the only one, in the folder at `path`,
 /// which ends with a slash. Return NULL if there is none, or more. Images of formats that rhw writes (PNG, JPEG, WebP,
-/// EXR and PPM) do not count, as one may be a picture of the model: two runs would draw two pictures.
-const char *scene_folder_own_image(struct scene_import *import, const char *path, const char *stem);
+/// EXR and PPM) count `if_written` alone, as one may be a picture of the model: two runs would draw two pictures.
+const char *scene_folder_own_image(struct scene_import *import, const char *path, const char *stem,
+                                   bool if_written);
 const char *scene_folder_only_image(struct scene_import *import, const char *path);
 
 enum { SCENE_FOLDER_ENDING = 8 };

@@ -24,6 +24,7 @@ struct scene_import_source {
     int32_t opacity_image;
     bool is_opacity;                ///< its own alpha, if it has one, is how opaque a material is
     bool is_opaque;                 ///< its alpha says nothing, and the material blends
+    bool is_skin;                   ///< a game alone says what its alpha means
     bool white;                     ///< the colour becomes white, with opacity_image
     uint32_t raw_width, raw_height; ///< size of RGBA8 texels in `bytes`; 0 if `bytes` are encoded
     /// What shines through where the image is not opaque. NULL if nothing does.

@@ -348,6 +348,9 @@ void scene_import_decode_images(struct scene_import *import)
         if (import->sources[i].is_opaque) {
             drop_alpha(&model->images[i]);
         }
+        if (import->sources[i].is_skin && model->images[i].has_alpha && !model->images[i].missing) {
+            scene_import_unsupported(import, "alpha of skins: not used");
+        }
         if (import->sources[i].height) {
             height_to_normals(import, &model->images[i]);
         }

@@ -57,24 +57,28 @@ static void test_skins(void **state)
     (void)state;
     static const struct {
         const char *skin, *files[2], *found;
-        bool is_told;
+        bool is_told; // which one is drawn, or that none is
+        bool is_doubtful;
     } cases[] = {
-        {"models/a/b.pcx", {"s/b.ppm"}, "b.ppm", false},
-        {"b.pcx", {"s/X.pgm", "s/c.pgm"}, "X.pgm", true},
-        {"", {"s/x.pgm", "s/c.pgm"}, "x.pgm", true},
-        {"b.pcx", {"s/skin.ppm", "s/c.pgm"}, "skin.ppm", true},
-        {"b.pcx", {"skin.ppm", "s/c.pgm"}, "skin.ppm", true},
-        {"b.pcx", {"s/c.pgm", NULL}, "c.pgm", true},
-        {"b.pcx", {"c.pgm", NULL}, "c.pgm", true},
-        {"b.pcx", {"s/c.pgm", "s/d.pgm"}, NULL, true},
-        {"b.pcx", {"c.pgm", "d.pgm"}, NULL, true},
-        {"", {NULL, NULL}, NULL, false},
+        {"models/a/b.pcx", {"s/b.ppm"}, "b.ppm", false, false},
+        {"models\\a\\b.ppm", {"b.ppm", "s/c.pgm"}, "../b.ppm", true, false},
+        {"b.pcx", {"b.ppm", NULL}, NULL, true, false}, // it may be a picture, by its ending
+        {"b.pcx", {"s/X.pgm", "s/c.pgm"}, "X.pgm", true, false},
+        {"", {"s/x.pgm", "s/c.pgm"}, "x.pgm", true, false},
+        {"b.pcx", {"s/skin.ppm", "s/c.pgm"}, "skin.ppm", true, false},
+        {"b.pcx", {"skin.ppm", "s/c.pgm"}, "../skin.ppm", true, false},
+        {"b.pcx", {"s/c.pgm", NULL}, "c.pgm", true, false},
+        {"b.pcx", {"c.pgm", NULL}, "../c.pgm", true, false},
+        {"b.pcx", {"s/c.pgm", "s/d.pgm"}, NULL, true, false},
+        {"b.pcx", {"c.pgm", "d.pgm"}, NULL, true, false},
+        {"", {NULL, NULL}, NULL, false, false},
         // Pictures of models that were drawn into the folder are no skins, nor do they hide one.
-        {"", {"s/x.ppm", NULL}, NULL, false},
-        {"", {"s/y.md2.png", NULL}, NULL, false},
-        {"", {"x.webp", "s/x.exr"}, NULL, false},
-        {"", {"s/x.png", "s/x.pgm"}, "x.pgm", true},
-        {"b.pcx", {"s/x.ppm", "s/c.pgm"}, "c.pgm", true},
+        {"", {"s/x.ppm", NULL}, NULL, false, true},
+        {"", {"s/y.md2.png", NULL}, NULL, false, false},
+        {"", {"x.webp", "s/x.exr"}, NULL, false, true},
+        {"b.pcx", {"s/x.jpg", NULL}, NULL, true, true},
+        {"", {"s/x.png", "s/x.pgm"}, "x.pgm", true, false},
+        {"b.pcx", {"s/x.ppm", "s/c.pgm"}, "c.pgm", true, false},
     };
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         assert_int_equal(mkdir(path_of("g"), 0700) | mkdir(path_of("g/s"), 0700), 0);
@@ -87,14 +91,38 @@ static void test_skins(void **state)
         struct scene_model *const model = load("g/s/x.md2");
         const bool is_there = model->image_count == 1 && !model->images[0].missing;
         assert_int_equal(is_there, cases[i].found != NULL);
-        assert_int_equal(model->warning_count, cases[i].is_told);
+        assert_int_equal(model->warning_count, cases[i].is_told + cases[i].is_doubtful);
+        assert_true(has_warning(model, "may be a picture of the model") == cases[i].is_doubtful);
         assert_int_equal(model->unsupported_count, cases[i].skin[0] == 0 && cases[i].found == NULL);
         if (is_there) {
             assert_string_equal(model->images[0].name, cases[i].is_told ? cases[i].found : cases[i].skin);
+            char line[64];
+            snprintf(line, sizeof line, "\"%s\" %s", cases[i].found,
+                     cases[i].skin[0] == 0 ? "beside it is drawn" : "is drawn");
+            assert_true(has_warning(model, line) == cases[i].is_told);
         }
         scene_model_free(model);
         remove_folder("g/s");
         remove_folder("g");
+    }
+}
+
+// What the alpha of a skin means the game alone knows.
+static void test_skin_alpha(void **state)
+{
+    (void)state;
+    static const unsigned char head[18] = {
+        [2] = 2, [12] = 1, [14] = 1, [16] = 32, [17] = 8}; // an uncompressed TGA
+    for (int is_opaque = 0; is_opaque < 2; is_opaque++) {
+        unsigned char bytes[sizeof head + 4] = {0};
+        memcpy(bytes, head, sizeof head);
+        bytes[sizeof bytes - 1] = is_opaque ? 255 : 128;
+        write_bytes("a.tga", bytes, sizeof bytes);
+        write_md2("a.md2", "a.tga", 1);
+        struct scene_model *const model = load("a.md2");
+        assert_false(model->images[0].missing);
+        assert_true(is_unsupported(model, "alpha of skins: not used") != is_opaque);
+        scene_model_free(model);
     }
 }
 
@@ -120,6 +148,7 @@ static void test_glow(void **state)
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_frames),
     cmocka_unit_test(test_skins),
+    cmocka_unit_test(test_skin_alpha),
     cmocka_unit_test(test_glow),
 };
 
