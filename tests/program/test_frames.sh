@@ -114,6 +114,12 @@ refuse 1 "move.gltf: has no animation 'dance'" render move.gltf -o a.png --anima
 refuse 2 "--time: 'soon' is not a number of seconds" render move.gltf -o a.png --time soon
 refuse 2 "--animate: '0' is not a number of pictures a second, 0.1 to 240" render move.gltf -o a.png --animate 0
 refuse 2 "--turntable: '1' is not a number of 2 to 10000" render move.gltf -o a.png --turntable 1
+for name in turn.gif turn.mp4 turn; do
+    refuse 2 "$name: no format for this ending; name it .png or .webp, or .jpg, .exr or .ppm with a \{frame\}, or give" \
+        render move.gltf -o $name --turntable 4
+done
+refuse 2 ".*\{frame\}.gif: no format for this ending; name it .png, .jpg, .webp, .exr or .ppm," \
+    render move.gltf -o 'turn-{frame}.gif' --turntable 4
 refuse 2 "a.jpg: only .png and .webp hold pictures that move" render move.gltf -o a.jpg --animate 10
 refuse 2 "--output: a file that moves has one output" render move.gltf -o a.png --animate 10 --output color,depth
 refuse 2 ".*\{frame\} needs --animate or --turntable" render move.gltf -o 'a-{frame}.png'

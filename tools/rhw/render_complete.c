@@ -134,8 +134,10 @@ static bool check_format(struct cli_render_job *job)
         return false;
     }
     if (job->format == CLI_PICTURE_UNKNOWN) {
-        cli_error(job->out,
-                  "no format for this ending; name it .png, .jpg, .webp, .exr or .ppm, or give --format");
+        cli_error(job->out, "no format for this ending; name it %s, or give --format",
+                  cli_render_moves(job) && !cli_out_has(job, "{frame}")
+                      ? ".png or .webp, or .jpg, .exr or .ppm with a {frame}"
+                      : ".png, .jpg, .webp, .exr or .ppm");
         return false;
     }
     if (to_stdout && job->stats && strcmp(job->stats_path, "-") == 0) {
