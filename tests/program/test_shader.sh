@@ -317,6 +317,8 @@ succeed compare upright.png want.ppm
 printf 'void mainImage(out vec4 color, in vec2 at) { color = texelFetch(iChannel0, ivec2(at), 0); }\n' >upright.frag
 succeed shader upright.frag --run --size 2x3 --texture iChannel0=want.ppm -o upright.png
 succeed compare upright.png want.ppm
+refuse 1 "--texture: 'iChannel1=want.ppm': no shader here uses such a texture; there is iChannel0$" shader upright.frag \
+    --run --texture iChannel1=want.ppm -o a.png
 sed 's/iTime, 0/iTimes, 0/' toy.frag >bad.frag
 refuse 1 "bad.frag:4: 'iTimes' : undeclared identifier" shader bad.frag --run -o a.png
 
@@ -363,9 +365,9 @@ refuse 1 "kernel.spv: word 5, OpCapability: capability 6 is not supported" shade
 refuse 1 "double.spv: the module has no compute entry point \"other\"|double.spv: the module has no .* entry point" shader double.spv --entry other
 succeed shader flat.frag -o red.spv
 refuse 1 "--run: buffer 0:1 has no length of its own; --buffer 0:1=BYTES" shader double.spv --run --result 0:2=f32
-refuse 1 "--buffer: '0:7=4': no shader here uses such a buffer" shader double.spv --run --buffer 0:7=4 --buffer 0:1=4 \
+refuse 1 "--buffer: '0:7=4': no shader here uses such a buffer; there is [^ ]+, [^ ]+$" shader double.spv --run --buffer 0:7=4 --buffer 0:1=4 \
     --buffer 0:2=4 --result 0:2=f32
-refuse 1 "--texture: 'Sink=four.ppm': no shader here uses such a texture" shader double.spv --run --buffer 0:1=4 \
+refuse 1 "--texture: 'Sink=four.ppm': no shader here uses such a texture; there is none$" shader double.spv --run --buffer 0:1=4 \
     --buffer 0:2=4 --texture Sink=four.ppm --result 0:2=f32
 refuse 1 "--constant: '9=1': double.spv has no constant 9" shader double.spv --constant 9=1
 refuse 1 "--constant: '4=0.5': constant 4 of double.spv is a whole number" shader double.spv --constant 4=0.5
@@ -373,7 +375,7 @@ refuse 1 "--push: no shader here has push constants" shader red.spv --run --push
 refuse 1 "--buffer: '0:2=0': a buffer has 1 to" shader double.spv --run --buffer 0:1=4 --buffer 0:2=0 --result 0:2=f32
 refuse 1 "--buffer: '0:2=f32:1,x': number 2 is no f32" shader double.spv --run --buffer 0:1=4 --buffer 0:2=f32:1,x --result 0:2=f32
 refuse 1 "standard input: is not read: the name of a shader's file tells what it is; it ends with .vert" shader -
-refuse 1 "--result: 'Sinks=f32': no shader here uses such a buffer or storage image" shader double.spv --run --buffer 0:1=4 \
+refuse 1 "--result: 'Sinks=f32': no shader here uses such a buffer or storage image; there is [^ ]+, Sink$" shader double.spv --run --buffer 0:1=4 \
     --buffer 0:2=4 --result Sinks=f32
 refuse 1 "none/sink.bin: cannot be written" shader double.spv --run --buffer 0:1=4 --buffer 0:2=4 --result Sink=none/sink.bin \
     --result 0:2=f32

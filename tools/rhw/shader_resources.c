@@ -36,12 +36,49 @@ static struct cli_shader_binding *find_binding(struct cli_shader_bindings *bindi
     return found;
 }
 
-static bool check_used(const struct cli_shader_bindings *bindings, const char *kind)
+static bool is_buffer(const struct rhw_shader_resource *what)
+{
+    return what->kind == RHW_SHADER_UNIFORM_BUFFER || what->kind == RHW_SHADER_STORAGE_BUFFER;
+}
+
+static bool is_image(const struct rhw_shader_resource *what)
+{
+    return what->kind == RHW_SHADER_SAMPLED_TEXTURE || what->kind == RHW_SHADER_TEXTURE ||
+           what->kind == RHW_SHADER_STORAGE_IMAGE;
+}
+
+static bool is_result(const struct rhw_shader_resource *what)
+{
+    return is_buffer(what) || what->kind == RHW_SHADER_STORAGE_IMAGE;
+}
+
+// Write the names of the resources that an option may mean, as many as there is room for.
+static void list_names(const struct cli_shader_resources *resources,
+                       bool (*is_meant)(const struct rhw_shader_resource *), char *names, size_t room)
+{
+    snprintf(names, room, "there is none");
+    const char *before = "there is ";
+    for (int i = 0, at = 0; i < resources->count && at < (int)room; i++) {
+        const struct rhw_shader_resource *const what = resources->list[i].what;
+        if (is_meant(what)) {
+            char place[16];
+            snprintf(place, sizeof place, "%u:%u", (unsigned)what->set, (unsigned)what->binding);
+            at += snprintf(names + at, room - (size_t)at, "%s%s", before, what->name[0] ? what->name : place);
+            before = ", ";
+        }
+    }
+}
+
+static bool check_used(const struct cli_shader_resources *resources,
+                       const struct cli_shader_bindings *bindings, const char *kind,
+                       bool (*is_meant)(const struct rhw_shader_resource *))
 {
     for (int i = 0; i < bindings->count; i++) {
         const struct cli_shader_binding *const one = &bindings->list[i];
         if (!one->is_used) {
-            cli_error(one->option, "'%s': no shader here uses such a %s", one->argument, kind);
+            char names[400];
+            list_names(resources, is_meant, names, sizeof names);
+            cli_error(one->option, "'%s': no shader here uses such a %s; %s", one->argument, kind, names);
             return false;
         }
     }
@@ -213,11 +250,6 @@ static bool open_image(struct cli_shader_resource *resource, rhw_context *contex
 
 // All ------------------------------------------------------------------------------------------------
 
-static bool is_buffer(const struct rhw_shader_resource *what)
-{
-    return what->kind == RHW_SHADER_UNIFORM_BUFFER || what->kind == RHW_SHADER_STORAGE_BUFFER;
-}
-
 static bool open_resource(struct cli_shader_resource *resource, rhw_context *context,
                           struct cli_shader_job *job, const struct cli_shader_file *files, int count)
 {
@@ -368,9 +400,11 @@ bool cli_shader_resources_open(struct cli_shader_resources *resources, rhw_conte
         }
     }
     set_uniforms(resources, job, files, count);
-    if (!check_used(&job->buffers, "buffer") || !check_used(&job->textures, "texture") ||
-        !check_used(&job->results, "buffer or storage image") || !check_results(resources, &job->results) ||
-        !open_push_constants(resources, job, files, count) || !open_sets(resources, program)) {
+    if (!check_used(resources, &job->buffers, "buffer", is_buffer) ||
+        !check_used(resources, &job->textures, "texture", is_image) ||
+        !check_used(resources, &job->results, "buffer or storage image", is_result) ||
+        !check_results(resources, &job->results) || !open_push_constants(resources, job, files, count) ||
+        !open_sets(resources, program)) {
         return false;
     }
     resources->frame.push_constants = resources->push;
