@@ -11,11 +11,12 @@
 //
 // That allowance would leave a bright line along an inner corner whose one side keeps the light from the other: what
 // casts the shadow touches what it falls on. But the plane of what casts shadows itself is in the map where the light
-// reaches it. Where none of the four texels around a fragment lies in its plane and some lie before it, the fragment is
-// hidden. The allowance is not made there, taps beyond the end of the plane do not count, and no light arrives where
-// the penumbra of what hides the fragment is narrower than a texel. Folds stay lit: the other side of a fold begins
-// beyond a line that passes the fragment, and no such side holds all four corners of a square without what is inside
-// of the square.
+// reaches it. Where none of the four texels around a fragment lies in its plane and some lie before it, the fragment
+// is hidden. A texel that is only near the plane may be of what meets it there, and counts where a square of texels is
+// near. The allowance is not made where a fragment is hidden, taps beyond the end of the plane do not count, and no
+// light arrives where the penumbra of what hides the fragment is narrower than a texel. Folds stay lit: the other side
+// of a fold begins beyond a line that passes the fragment, and no such side holds all four corners of a square without
+// what is inside of the square.
 //
 // Facets that stand for a curved surface and are turned away from the light lie in the shadow of the facets before
 // them, while the normals of their corners still face the light. The result is dark triangles along the limit of light.
@@ -42,9 +43,14 @@ static const float scene_shadow_wide = 5.0f;    // radius above which a filter t
 // search for what casts a shadow follows none that is steeper than scene_shadow_gentle. What rises less than a fold
 // above a plane does not shade it.
 static const float scene_shadow_steepest = 32.0f, scene_shadow_gentle = 8.0f, scene_shadow_fold = 2.0f;
+// Depth in widths of a texel, below which a filter takes what is before a plane for the plane itself: where the map has
+// the plane at the fragment, and where it has not.
+static const float scene_shadow_least = 0.7f, scene_shadow_least_hidden = 0.05f;
 // Depth in widths of a texel: what is nearer than scene_shadow_near before a plane, or scene_shadow_near_behind behind
-// it, may be the plane itself.
-static const float scene_shadow_near = 0.25f, scene_shadow_near_behind = 2.0f;
+// it, may be the plane itself, as one facet of many is. What is within scene_shadow_exact of it is the plane itself,
+// and what is scene_shadow_far_behind behind it is something else.
+static const float scene_shadow_near = 0.25f, scene_shadow_near_behind = 2.0f, scene_shadow_exact = 0.004f,
+                   scene_shadow_far_behind = 8.0f;
 // Texels by which the thing that a facet stands for is brought nearer to the light.
 static const float scene_shadow_lift = 6.0f;
 
@@ -240,7 +246,8 @@ static inline rhw_float scene_shadow_penumbra(const struct scene_shadow_map *map
 // A filter around a fragment, and what its taps have summed up.
 struct scene_shadow_disc {
     rhw_float radius; // texels
-    rhw_float fold;   // what rises less than this above the plane, in depth per width, shades nothing
+    rhw_float least;  // what rises less than this above the plane, in widths of a texel, shades nothing
+    rhw_float fold;   // nor does what rises less than this, in depth per width
     rhw_int ends; // the plane may end within the disc: what lies farther than `drop` behind it does not count
     bool some_end; // some lane of `ends` is set
     rhw_float drop;
@@ -252,7 +259,7 @@ static inline void scene_shadow_tap(const struct scene_shadow_map *map, const st
                                     const float seed[3], struct scene_shadow_disc *disc)
 {
     const rhw_float radius = disc->radius, width = p->step * (seed[2] * radius);
-    const rhw_float bias = p->step * 0.7f + width * disc->fold;
+    const rhw_float bias = p->step * disc->least + width * disc->fold;
     const rhw_float drop = disc->some_end ? disc->drop + width * (2.0f * scene_shadow_fold) + bias : bias;
     const rhw_float x = p->column + seed[0] * radius - 0.5f, y = p->row + seed[1] * radius - 0.5f;
     const rhw_float left = rhw_floor(x), top = rhw_floor(y);
@@ -290,30 +297,68 @@ struct scene_shadow_cover {
     rhw_float height; // height of that above the plane, in widths of a texel
 };
 
+// Return how much higher than the fragment's plane the map is at a texel.
+static inline rhw_float scene_shadow_height(const struct scene_shadow_map *map,
+                                            const struct scene_shadow_point *p, rhw_float x, rhw_float y)
+{
+    const rhw_int column = scene_shadow_texel(map, x), row = scene_shadow_texel(map, y);
+    const rhw_float depth = rhw_gather(map->depth, map->pitch * map->size, row * map->pitch + column);
+    return depth - (p->depth + p->slope[0] * (x + 0.5f - p->column) + p->slope[1] * (y + 0.5f - p->row));
+}
+
+// Return true where a height may be that of the plane itself.
+static inline rhw_int scene_shadow_may_be_plane(const struct scene_shadow_point *p, rhw_float height)
+{
+    return ~rhw_less(p->step * scene_shadow_near, height) &
+           rhw_less_equal(p->step * -scene_shadow_near_behind, height);
+}
+
+// Return true where what crosses the plane ends there, as the 16 texels around (`left`, `top`) tell: a row of them at
+// most is near the plane, so that no four in a square are, and behind the end the map has what is far away.
+static inline rhw_int scene_shadow_crosses(const struct scene_shadow_map *map,
+                                           const struct scene_shadow_point *p, rhw_float left, rhw_float top)
+{
+    const rhw_float far = p->step * -scene_shadow_far_behind;
+    rhw_int square = rhw_splat_int(0), ends = rhw_splat_int(0);
+    rhw_int pairs[3] = {ends, ends, ends}; // neighbours in the row above that may both be the plane
+    for (int row = -1; row <= 2; row++) {
+        rhw_int last = rhw_splat_int(0);
+        for (int column = -1; column <= 2; column++) {
+            const rhw_float height = scene_shadow_height(map, p, left + (float)column, top + (float)row);
+            const rhw_int plane = scene_shadow_may_be_plane(p, height);
+            ends |= rhw_less(height, far);
+            if (column >= 0) {
+                square |= last & plane & pairs[column];
+                pairs[column] = last & plane;
+            }
+            last = plane;
+        }
+    }
+    return ends & ~square;
+}
+
 static inline struct scene_shadow_cover scene_shadow_cover_at(const struct scene_shadow_map *map,
-                                                              const struct scene_shadow_point *p)
+                                                              const struct scene_shadow_point *p, rhw_int who)
 {
     const rhw_float left = rhw_floor(p->column - 0.5f), top = rhw_floor(p->row - 0.5f);
-    const rhw_float corner =
-        p->depth + p->slope[0] * (left + 0.5f - p->column) + p->slope[1] * (top + 0.5f - p->row);
-    const rhw_float near = p->step * scene_shadow_near, behind = p->step * -scene_shadow_near_behind;
-    rhw_int seen = rhw_splat_int(0), some = rhw_splat_int(0);
+    const rhw_float near = p->step * scene_shadow_near, close = p->step * scene_shadow_exact;
+    rhw_int seen = rhw_splat_int(0), maybe = rhw_splat_int(0), some = rhw_splat_int(0);
     rhw_float highest = rhw_splat(0.0f);
     for (int i = 0; i < 4; i++) {
-        const rhw_int column = scene_shadow_texel(map, left + (float)(i & 1));
-        const rhw_int row = scene_shadow_texel(map, top + (float)(i >> 1));
-        const rhw_float depth = rhw_gather(map->depth, map->pitch * map->size, row * map->pitch + column);
-        const rhw_float along = i & 1 ? corner + p->slope[0] : corner;
-        const rhw_float height = depth - (i & 2 ? along + p->slope[1] : along);
-        const rhw_int before = rhw_less(near, height);
-        some |= before;
-        seen |= ~before & rhw_less_equal(behind, height);
+        const rhw_float height = scene_shadow_height(map, p, left + (float)(i & 1), top + (float)(i >> 1));
+        some |= rhw_less(near, height);
+        maybe |= scene_shadow_may_be_plane(p, height);
+        seen |= rhw_less_equal(rhw_abs(height), close);
         highest = rhw_max(highest, height);
     }
     // Neither a plane that stands for a curve nor one that is too steep is where the map has its surface.
     const rhw_int exact =
         ~p->away & rhw_equal(p->slope[0], p->gentle[0]) & rhw_equal(p->slope[1], p->gentle[1]);
-    const struct scene_shadow_cover cover = {exact & some & ~seen, highest / p->step};
+    const rhw_int unsure = exact & some & maybe & ~seen;
+    if (rhw_any(unsure & who)) {
+        maybe &= ~(unsure & scene_shadow_crosses(map, p, left, top));
+    }
+    const struct scene_shadow_cover cover = {exact & some & ~maybe & ~seen, highest / p->step};
     return cover;
 }
 
@@ -354,11 +399,12 @@ static inline rhw_float scene_shadow_look(const struct scene_shadow_map *map,
     if (rhw_any(partly)) {
         struct scene_shadow_cover cover = {rhw_splat_int(0), rhw_splat(0.0f)};
         if (p->casts) {
-            cover = scene_shadow_cover_at(map, p);
+            cover = scene_shadow_cover_at(map, p, partly);
         }
         const rhw_int touched = cover.hidden & rhw_less(cover.height * map->softness, 1.0f);
         struct scene_shadow_disc disc = {
             .radius = rhw_max(radius, 1.0f),
+            .least = rhw_select(cover.hidden, scene_shadow_least_hidden, scene_shadow_least),
             .fold = rhw_select(cover.hidden, 0.0f, scene_shadow_fold),
             .ends = cover.hidden,
             .some_end = rhw_any(partly & cover.hidden & ~touched),
