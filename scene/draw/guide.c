@@ -197,12 +197,14 @@ static struct scene_ambient occlusion_uniforms(const struct scene_guide *guide, 
                                                double radius)
 {
     const struct scene_guide_rays rays = scene_guide_rays(view);
+    const float unit = scene_unit_for(radius);
     struct scene_ambient o = {.distance = guide->distance.texels,
                               .width = guide->width,
                               .height = guide->height,
                               .pitch = guide->distance.pitch,
                               .orthographic = rays.orthographic,
-                              .radius = (float)radius,
+                              .unit = unit,
+                              .radius = (float)(radius * (double)unit),
                               .texels = (float)(-radius / rays.ray[2]),
                               .most_texels = (float)(most_reach * guide->height)};
     for (int i = 0; i < 4; i++) {

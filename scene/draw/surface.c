@@ -2,6 +2,7 @@
 // Instances to draws: their order, their pipelines, and how they are recorded.
 #include "surface.h"
 
+#include "draw/camera/camera_math.h"
 #include "light.h"
 #include "material_program.h"
 #include "surface_layout.h"
@@ -28,6 +29,7 @@ void scene_frame_look(struct scene_frame *frame, const struct scene_camera *came
     for (int i = 0; i < 16; i++) {
         frame->view_projection[i] = (float)view_projection[i];
     }
+    frame->unit = scene_unit_for(camera->znear);
     frame->linear_slot = -1;
     frame->orthographic = camera->orthographic;
     frame->light_count = (int32_t)lighting->count;

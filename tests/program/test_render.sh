@@ -160,6 +160,22 @@ fi
 succeed render cube.obj $view -o some.exr --output depth,triangle
 refuse 1 "some.exr: has no channel" compare all.exr some.exr
 
+# Models of any size have one picture: the light is not lost with the square of a length, nor is ambient occlusion in a
+# corner. The planes of shadow maps leave more room around small ones, which moves single pixels.
+corner() { # LENGTH: three faces that meet
+    for place in "0 0 0" "$1 0 0" "$1 0 $1" "0 0 $1" "0 $1 0" "$1 $1 0" "0 $1 $1"; do
+        echo "v $place"
+    done
+    printf 'f 1 4 3 2\nf 1 2 6 5\nf 1 5 7 4\n'
+}
+corner 1 >corner.obj
+succeed render corner.obj --size 64 -o corner.png
+for length in 8.8817841970012523e-16 8.4703294725430034e-22 8.0779356694631609e-28 1180591620717411303424 1.2379400392853803e27; do
+    corner "$length" >any.obj
+    succeed render any.obj --size 64 -o any.png
+    check "a model of $length" "$rhw" compare corner.png any.png --tolerance 0.0157 >"$folder/log/compare"
+done
+
 # Options that must show in the picture.
 differs() { # DESCRIPTION OPTION...
     checks=$((checks + 1))

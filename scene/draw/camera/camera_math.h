@@ -31,6 +31,20 @@ static inline bool scene_finite3(const double a[3])
     return a[0] - a[0] == 0.0 && a[1] - a[1] == 0.0 && a[2] - a[2] == 0.0;
 }
 
+/// Return the power of two that brings a length to 1..2, so that its square is a float, or as near to it as floats go.
+/// Products with it are exact.
+static inline float scene_unit_for(double length)
+{
+    double unit = 1.0;
+    while (length > 0.0 && length * unit < 1.0 && unit < 0x1p120) {
+        unit *= 2.0;
+    }
+    while (length * unit >= 2.0 && unit > 0x1p-120) {
+        unit *= 0.5;
+    }
+    return (float)unit;
+}
+
 /// The line that something turns around. `axis` has length 1.
 struct scene_turn {
     double center[3], axis[3];

@@ -100,7 +100,7 @@ ALWAYS_INLINE void view_direction(const struct scene_frame *frame, const rhw_flo
         return;
     }
     for (int c = 0; c < 3; c++) {
-        view[c] = frame->eye[c] - position[c];
+        view[c] = (frame->eye[c] - position[c]) * frame->unit; // squares of it are floats
     }
     rhw_normalize3(view, view);
 }

@@ -42,14 +42,14 @@ struct seen_surface {
     rhw_float reach;              // reach on the screen, texels
 };
 
-// Find where the surface of a texel lies in view space. `distance` is as the guide has it.
+// Find where the surface of a texel lies in view space, times the unit. `distance` is as the guide has it.
 ALWAYS_INLINE void place(const struct scene_ambient *o, rhw_float x, rhw_float y, rhw_float distance,
                          rhw_float point[3])
 {
-    const rhw_float scale = o->orthographic ? rhw_splat(1.0f) : distance;
+    const rhw_float scaled = distance * o->unit, scale = o->orthographic ? rhw_splat(o->unit) : scaled;
     point[0] = (x * o->ray[0] + o->ray[1]) * scale;
     point[1] = (y * o->ray[2] + o->ray[3]) * scale;
-    point[2] = -distance;
+    point[2] = -scaled;
 }
 
 // Return the texels that the radius takes on the screen at a distance.
@@ -107,7 +107,7 @@ ALWAYS_INLINE void view_normal(const struct scene_ambient *o, const rhw_float fo
 }
 
 // Find the line of sight, and two directions across it.
-ALWAYS_INLINE void look_along(const struct scene_ambient *o, rhw_float distance, struct seen_surface *p)
+ALWAYS_INLINE void look_along(const struct scene_ambient *o, struct seen_surface *p)
 {
     const rhw_float to_eye[3] = {-p->point[0], -p->point[1], -p->point[2]};
     const rhw_float forward[3] = {rhw_splat(0.0f), rhw_splat(0.0f), rhw_splat(1.0f)};
@@ -116,7 +116,7 @@ ALWAYS_INLINE void look_along(const struct scene_ambient *o, rhw_float distance,
     rhw_normalize3(across, p->right);
     rhw_cross(p->view, p->right, p->above);
     for (int c = 0; c < 2; c++) {
-        p->slope[c] = o->orthographic ? rhw_splat(0.0f) : p->point[c] / distance;
+        p->slope[c] = o->orthographic ? rhw_splat(0.0f) : p->point[c] / -p->point[2];
     }
 }
 
@@ -203,7 +203,7 @@ static void occlusion_fragment(struct rhw_fragment *groups, int count)
         fetch_normals(f, folded);
         view_normal(o, &folded[0], p.normal);
         view_normal(o, &folded[2], p.face);
-        look_along(o, held, &p);
+        look_along(o, &p);
         // 16 directions, and 4 places along them, are spread over 4 × 4 pixels.
         const rhw_int column = rhw_int_from_float_unchecked(x), row = rhw_int_from_float_unchecked(y);
         const rhw_int cell = ((((column + row) & 3) << 2) + (column & 3));

@@ -82,6 +82,7 @@ struct scene_guide_lookup {
 struct scene_frame {
     float eye[3];
     float forward[3]; // unit direction in which the camera looks
+    float unit;       // factor, a power of two, that makes lengths from the eye moderate
     int32_t orthographic;
     float pixel[2];  // size of a pixel in NDC
     float samples;   // side of the sample grid: pixels of the pass per pixel of the picture
@@ -183,7 +184,8 @@ struct scene_ambient {
     int32_t orthographic;
     float ray[4];
     float axes[3][3];          // axes of the view in the world
-    float radius;              // radius in the world
+    float unit;                // factor, a power of two, that makes the radius moderate
+    float radius;              // radius in the world, times the unit
     float texels, most_texels; // texels that the radius takes at distance 1, and at most
     int32_t step;              // step of a blur from texel to texel: 1 or pitch
 };

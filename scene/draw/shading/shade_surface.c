@@ -356,8 +356,12 @@ ALWAYS_INLINE void face_normal(const struct rhw_fragment *f, const struct scene_
         return;
     }
     rhw_float across[3], down[3];
-    rhw_normalize3(&f->ddx[s->varying_position], across);
-    rhw_normalize3(&f->ddy[s->varying_position], down);
+    for (int c = 0; c < 3; c++) {
+        across[c] = f->ddx[s->varying_position + c] * s->frame->unit;
+        down[c] = f->ddy[s->varying_position + c] * s->frame->unit;
+    }
+    rhw_normalize3(across, across);
+    rhw_normalize3(down, down);
     rhw_cross(across, down, face);
     rhw_normalize3(face, face);
     const rhw_int turn = rhw_less(rhw_dot3(face, view), 0.0f);
