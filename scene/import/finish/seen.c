@@ -7,9 +7,9 @@
 
 #include "draw/camera/camera_math.h"
 
-// An alpha below `least_alpha` leaves 8 bits as they are.
+// An alpha below `least_alpha` changes a value of 8 bits by less than 2, even white over black, which nobody sees.
 enum { GRID = 64 };
-static const float least_alpha = 1.0f / 512;
+static const float least_alpha = 1.0f / 128;
 
 struct alpha_grid {
     float largest[GRID][GRID]; // rows from top to bottom
