@@ -5,8 +5,9 @@
 
 #include "import/builder/import.h"
 
-/// Leave out the lamp of Blender's start file where the file's first camera gives way at 16:9, and tell it. Both were
-/// there before the model was, and light and show a cube of 2 units.
+/// Leave out the lamps of Blender's start file where the file's first camera gives way at 16:9, and tell it. They were
+/// there before the model was, and light and show a cube of 2 units. What was put together of several files has the
+/// lamp of each.
 void scene_import_drop_start_lamp(struct scene_import *import);
 
 #endif

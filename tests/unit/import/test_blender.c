@@ -180,6 +180,42 @@ static void test_start_lamp(void **state)
     }
 }
 
+// The lamps of the start file are left out of what Blender exports, too, where y is up, and all other lights are kept.
+static void test_exported_start_lamps(void **state)
+{
+    (void)state;
+#define LAMP(PLACE) "<node><matrix>1 0 0 " PLACE " 0 0 0 1</matrix><instance_light url=\"#l\"/></node>"
+    write_text("e.dae",
+               "<COLLADA version=\"1.4.1\"><asset><up_axis>Z_UP</up_axis></asset><library_cameras>"
+               "<camera id=\"c\"><optics><technique_common><perspective><xfov>40</xfov></perspective>"
+               "</technique_common></optics></camera></library_cameras><library_lights><light id=\"l\">"
+               "<technique_common><point><color>1 1 1</color></point></technique_common></light>"
+               "</library_lights><library_geometries><geometry id=\"g\"><mesh><source id=\"p\">"
+               "<float_array id=\"a\" count=\"9\">0 0 0 0.1 0 0 0 0.1 0</float_array><technique_common>"
+               "<accessor source=\"#a\" count=\"3\" stride=\"3\"><param name=\"X\" type=\"float\"/>"
+               "<param name=\"Y\" type=\"float\"/><param name=\"Z\" type=\"float\"/></accessor>"
+               "</technique_common></source><vertices id=\"v\"><input semantic=\"POSITION\" "
+               "source=\"#p\"/></vertices><triangles count=\"1\"><input semantic=\"VERTEX\" "
+               "source=\"#v\" offset=\"0\"/><p>0 1 2</p></triangles></mesh></geometry>"
+               "</library_geometries><library_visual_scenes><visual_scene id=\"s\"><node>"
+               "<instance_geometry url=\"#g\"/></node>" LAMP("4.076245 0 1 0 1.005454 0 0 1 5.903862")
+                   LAMP("3 0 1 0 4 0 0 1 5")
+                       LAMP("4.076245 0 1 0 1.005454 0 0 1 5.903862") "<node><matrix>1 0 0 0 0 1 0 0 0 0 1 9 "
+                                                                      "0 0 0 1</matrix>"
+                                                                      "<instance_camera "
+                                                                      "url=\"#c\"/></node></visual_scene></"
+                                                                      "library_visual_scenes>"
+                                                                      "<scene><instance_visual_scene "
+                                                                      "url=\"#s\"/></scene></COLLADA>");
+#undef LAMP
+    struct scene_model *const model = load("e.dae");
+    assert_int_equal(model->camera_count, 1);
+    assert_int_equal(model->light_count, 1);
+    assert_floats(model->lights[0].position, (const float[]){3, 5, -4}, 3, 1e-5f);
+    assert_int_equal(model->warning_count, 1);
+    scene_model_free(model);
+}
+
 // Return true if all corners of each triangle have one normal, but for 1e-5.
 static bool is_flat(const struct scene_mesh *mesh)
 {
@@ -284,9 +320,15 @@ static void test_many_blocks(void **state)
 }
 
 static const struct CMUnitTest tests[] = {
-    cmocka_unit_test(test_told),       cmocka_unit_test(test_unused_material), cmocka_unit_test(test_shading),
-    cmocka_unit_test(test_scene),      cmocka_unit_test(test_many_blocks),     cmocka_unit_test(test_colors),
-    cmocka_unit_test(test_start_lamp), cmocka_unit_test(test_kinds_of_blocks),
+    cmocka_unit_test(test_told),
+    cmocka_unit_test(test_unused_material),
+    cmocka_unit_test(test_shading),
+    cmocka_unit_test(test_scene),
+    cmocka_unit_test(test_many_blocks),
+    cmocka_unit_test(test_colors),
+    cmocka_unit_test(test_start_lamp),
+    cmocka_unit_test(test_exported_start_lamps),
+    cmocka_unit_test(test_kinds_of_blocks),
 };
 
 const struct unit_tests test_blender = UNIT_TESTS(tests, make_directory, remove_directory);
