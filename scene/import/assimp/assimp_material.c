@@ -250,8 +250,8 @@ static void read_texture(const struct reader *reader, enum aiTextureType type,
 }
 
 // Return true for formats in which the alpha of a texture is that of the surface, as X3D defines it, and as all
-// programs draw AC3D.
-static bool has_images_with_alpha(const struct scene_import *import)
+// programs draw AC3D. What is wholly transparent in them is meant to be, as panes for clicks are.
+static bool has_alpha(const struct scene_import *import)
 {
     static const char *const endings[] = {"ac", "acc", "x3d"};
     bool has = false;
@@ -292,7 +292,7 @@ static void read_textures(const struct reader *reader, struct scene_phong *phong
     read_skin(reader, &phong->color);
     phong->color.source.is_skin = scene_assimp_has_skins(reader->import);
     read_texture(reader, aiTextureType_OPACITY, &phong->opacity_map);
-    phong->color.source.is_opacity = phong->color.name != NULL && has_images_with_alpha(reader->import);
+    phong->color.source.is_opacity = phong->color.name != NULL && has_alpha(reader->import);
     // Collada calls relief what may be heights or normals, which the image itself tells.
     const bool is_relief = strcmp(reader->import->model.format, "Collada") == 0;
     read_texture(reader, aiTextureType_NORMALS, is_relief ? &phong->height : &phong->normal);
@@ -402,6 +402,7 @@ uint32_t scene_assimp_material(struct scene_import *import, const struct aiScene
     get_color(&reader, "$clr.specular", phong.specular);
     get_color(&reader, "$clr.emissive", phong.emissive);
     get_opacity(&reader, &phong.opacity);
+    phong.may_be_clear = has_alpha(import);
     get_float(&reader, "$mat.shininess", &phong.shininess);
     get_float(&reader, "$mat.metallicFactor", &phong.metallic);
     get_float(&reader, "$mat.roughnessFactor", &phong.roughness);

@@ -260,7 +260,7 @@ static void set_opacity(struct scene_import *import, const struct scene_phong *p
                         struct scene_material *material)
 {
     float opacity = limited(phong->opacity, 0, 1);
-    if (opacity == 0) {
+    if (opacity == 0 && !phong->may_be_clear) {
         scene_import_warn(import, "material \"%s\" is wholly transparent: drawn opaque", material->name);
         opacity = 1;
     }

@@ -21,6 +21,7 @@ struct scene_phong {
     bool colored;                               ///< the mesh has vertex colours
     float diffuse[3], specular[3], emissive[3]; ///< sRGB
     float opacity;
+    bool may_be_clear;         ///< an opacity of 0 is meant, and no habit of exporters
     float shininess;           ///< Phong's exponent; 0 if the file names none
     float metallic, roughness; ///< −1 if the file does not say
     bool dull;                 ///< the file asks for no highlights

@@ -3,6 +3,7 @@
 #include "model_files.h"
 
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 
@@ -145,11 +146,30 @@ static void test_glow(void **state)
     }
 }
 
+// What is wholly transparent is meant to be, as surfaces are that are clicked: it is not drawn opaque.
+static void test_clear(void **state)
+{
+    (void)state;
+    static const char *const opacities[] = {"0", "0.75", "1"};
+    for (size_t i = 0; i < sizeof opacities / sizeof opacities[0]; i++) {
+        write_format("a.ac",
+                     "AC3Db\nMATERIAL \"m\" rgb 1 1 1 amb 0 0 0 emis 0 0 0 spec 0 0 0 shi 0 trans %s\nOBJECT "
+                     "world\nkids 1\nOBJECT poly\nnumvert 3\n0 0 0\n1 0 0\n0 1 0\nnumsurf 1\n"
+                     "SURF 0x20\nmat 0\nrefs 3\n0 0 0\n1 1 0\n2 0 1\nkids 0\n",
+                     opacities[i]);
+        struct scene_model *const model = load("a.ac");
+        const struct scene_material *const material = &model->materials[model->meshes[0].material];
+        const float alpha = 1 - strtof(opacities[i], NULL);
+        assert_true(material->base_color[3] == alpha);
+        assert_int_equal(material->alpha_mode, i == 0 ? SCENE_ALPHA_OPAQUE : SCENE_ALPHA_BLEND);
+        assert_int_equal(model->warning_count, 0);
+        scene_model_free(model);
+    }
+}
+
 static const struct CMUnitTest tests[] = {
-    cmocka_unit_test(test_frames),
-    cmocka_unit_test(test_skins),
-    cmocka_unit_test(test_skin_alpha),
-    cmocka_unit_test(test_glow),
+    cmocka_unit_test(test_frames), cmocka_unit_test(test_skins), cmocka_unit_test(test_skin_alpha),
+    cmocka_unit_test(test_glow),   cmocka_unit_test(test_clear),
 };
 
 const struct unit_tests test_games = UNIT_TESTS(tests, make_directory, remove_directory);
