@@ -165,7 +165,8 @@ static void read_vector(const unsigned char *bytes, float vector[3])
 
 // What the 16 bits after a facet mean. They mean nothing unless a facet says that its colour is valid (VisCAM,
 // SolidView), or the head names the colour of the other facets (Materialise Magics). MeshLab writes the head and the
-// order of Magics, and always one grey; its highest bit says, as that of VisCAM, that a colour is valid.
+// order of Magics, and always one grey; its highest bit says, as that of VisCAM, that a colour is valid. Autodesk's
+// programs write the words of Magics, but that colour in the head of some files alone.
 struct palette {
     bool colored;
     bool begins_with_red;
@@ -225,6 +226,12 @@ static struct survey survey_facets(const unsigned char *bytes, size_t facets)
     return survey;
 }
 
+static bool is_head_of_autodesk(const unsigned char *bytes)
+{
+    static const char head[] = "STLB ATF ";
+    return memcmp(bytes, head, sizeof head - 1) == 0;
+}
+
 // Take the head of Magics, if it is there and the facets have words. Words that are all 0 would be a black model.
 static void take_head(struct palette *palette, const unsigned char *bytes, bool has_words)
 {
@@ -235,8 +242,8 @@ static void take_head(struct palette *palette, const unsigned char *bytes, bool 
             palette->common[c] = scene_import_from_srgb((float)bytes[i + 6 + c] / 255);
         }
     }
-    palette->begins_with_red = palette->colored;
-    palette->valid = palette->colored && has_words ? 0 : 0x8000;
+    palette->begins_with_red = palette->colored || is_head_of_autodesk(bytes);
+    palette->valid = palette->begins_with_red && has_words ? 0 : 0x8000;
 }
 
 // Return true for a file of Meshmixer that nobody has painted. Meshmixer writes all facets white, and those with which
@@ -265,8 +272,9 @@ static struct palette find_palette(struct scene_import *import, const unsigned c
     if (!palette.begins_with_red) {
         take_head(&palette, bytes, words != 0);
     }
-    palette.colored = palette.colored || (words & 0x8000) != 0;
-    if (words != 0 && !palette.colored) {
+    const unsigned bits_of_color = palette.valid == 0 ? 0x7fff : 0x8000;
+    palette.colored = palette.colored || (words & bits_of_color) != 0;
+    if (words != 0 && !palette.colored && palette.valid != 0) {
         scene_import_unsupported(import, "attributes of facets that are no colours (STL): not drawn");
     }
     return palette;

@@ -344,11 +344,35 @@ static void test_meshmixer(void **state)
     scene_model_free(model);
 }
 
+// Autodesk's words are those of Magics whether its head names a colour or not: the highest bit says that there is none.
+static void test_autodesk(void **state)
+{
+    (void)state;
+    const char head[] = "STLB ATF 9.0.0.1214                      ";
+    static const uint16_t none[][2] = {{0, 0}, {0x8000, 0x8000}, {0x8000, 0}};
+    for (size_t i = 0; i < sizeof none / sizeof none[0]; i++) {
+        write_bytes("x.stl", bytes, make_binary(bytes, head, 2, 2, none[i]));
+        struct scene_model *const model = load("x.stl");
+        assert_null(model->meshes[0].colors);
+        assert_int_equal(model->unsupported_count, 0);
+        scene_model_free(model);
+    }
+    const uint16_t words[] = {31, 31 << 10, 0x8000};
+    write_bytes("x.stl", bytes, make_binary(bytes, head, 3, 3, words));
+    struct scene_model *const model = load("x.stl");
+    assert_floats(color_of(model, 0), (const float[]){1, 0, 0, 1}, 4, 0);
+    assert_floats(color_of(model, 1), (const float[]){0, 0, 1, 1}, 4, 0);
+    assert_floats(color_of(model, 2), (const float[]){0.6f, 0.6f, 0.6f, 1}, 4, 0);
+    assert_int_equal(model->unsupported_count, 0);
+    scene_model_free(model);
+}
+
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_viscam),
     cmocka_unit_test(test_magics),
     cmocka_unit_test(test_magics_without_words),
     cmocka_unit_test(test_meshlab),
+    cmocka_unit_test(test_autodesk),
     cmocka_unit_test(test_meshmixer),
     cmocka_unit_test(test_no_colors),
     cmocka_unit_test(test_counts),
