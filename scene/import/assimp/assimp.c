@@ -451,6 +451,9 @@ static const struct aiScene *read_scene(struct scene_import *import, struct scen
     if (strcasecmp(import->ending, "dxf") == 0 && import->model.unsupported_count > 0) {
         scene_import_fail(import, "has nothing that can be drawn: %s", import->model.unsupported[0]);
     }
+    if (strstr(error, "index count in <p>") != NULL) {
+        scene_assimp_refuse_indices(import);
+    }
     if (strstr(error, "bad_alloc") != NULL) {
         scene_import_fail(import, "needs more memory than there is");
     }

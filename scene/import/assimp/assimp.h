@@ -111,6 +111,8 @@ void scene_assimp_number_sets(char *text, size_t size);
 /// Leave out of the lists of indices of a Collada document what is none, with all that follow it, and warn. A 0 follows
 /// the text.
 void scene_assimp_check_indices(struct scene_import *import, char *text, size_t size);
+/// Refuse a Collada document that lacks indices because one of them was none.
+void scene_assimp_refuse_indices(struct scene_import *import);
 /// Name the images of a Collada document that name no file. Return the text, which may be another one by then. A 0
 /// follows it.
 char *scene_assimp_name_images(char *text, size_t *size);
