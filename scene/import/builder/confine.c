@@ -21,17 +21,16 @@ bool scene_import_within(const struct scene_import *import, const char *path)
     return within;
 }
 
-bool scene_import_is_file(const struct scene_import *import, const char *path)
+bool scene_import_is_file(struct scene_import *import, const char *path)
 {
     struct stat status;
-    return stat(path, &status) == 0 && S_ISREG(status.st_mode) && scene_import_within(import, path);
-}
-
-bool scene_import_is_irregular(const struct scene_import *import, const char *path)
-{
-    struct stat status;
-    return stat(path, &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode) &&
-           scene_import_within(import, path);
+    if (stat(path, &status) != 0 || S_ISDIR(status.st_mode) || !scene_import_within(import, path)) {
+        return false;
+    }
+    if (!S_ISREG(status.st_mode)) {
+        import->missing = "is not a regular file";
+    }
+    return S_ISREG(status.st_mode);
 }
 
 // Return true if the component before `end`, which is behind its slash, is a name that ".." takes back. `start` is then

@@ -8,10 +8,8 @@
 /// Return true if import->confine lets the file be read. Return false if not.
 bool scene_import_within(const struct scene_import *import, const char *path);
 /// Return true if there is a regular file that may be read. A file that may not counts as none, so that a model cannot
-/// be used to ask what else there is.
-bool scene_import_is_file(const struct scene_import *import, const char *path);
-/// Return true if there is a pipe, a device or a socket within what may be read. It is never opened.
-bool scene_import_is_irregular(const struct scene_import *import, const char *path);
+/// be used to ask what else there is. Of a pipe, a device or a socket import->missing says what it is.
+bool scene_import_is_file(struct scene_import *import, const char *path);
 /// Take "name/.." out of a path: whether there is a folder of that name is nothing a confined model may ask.
 void scene_import_drop_detours(char *path);
 

@@ -35,16 +35,12 @@ static bool try_folder(const struct search *search, const char *folder, const ch
     return scene_folder_find(search->import, search->path, strlen(folder), any_ending);
 }
 
-// A pipe or a device of the name is the reason if nothing is found elsewhere either.
 static bool find_as_named(const struct search *search, const char *name)
 {
     for (int i = 0; i < search->folder_count; i++) {
         snprintf(search->path, search->room, "%s%s", name[0] == '/' ? "" : search->folders[i], name);
         if (scene_import_is_file(search->import, search->path)) {
             return true;
-        }
-        if (scene_import_is_irregular(search->import, search->path)) {
-            search->import->missing = "is not a regular file";
         }
     }
     return false;

@@ -318,6 +318,12 @@ static void test_pipe_as_texture(void **state)
     model = load_text("library.obj", "mtllib library.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     assert_true(has_warning(model, "material library \"library.mtl\": is not a regular file"));
     scene_model_free(model);
+    assert_int_equal(mkdir(path_of("maps"), 0700) | mkfifo(path_of("maps/Moved.png"), 0600), 0);
+    write_text("moved.mtl", "newmtl m\nmap_Kd moved.png\n");
+    model = load_text("moved.obj", "mtllib moved.mtl\nusemtl m\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    assert_true(has_warning(model, "texture \"moved.png\": is not a regular file; drawn in magenta"));
+    scene_model_free(model);
+    remove_folder("maps");
     write_text("zero.mtl", "newmtl m\nmap_Kd /dev/zero\n");
     model = load_text("zero.obj", "mtllib zero.mtl\nusemtl m\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     assert_true(has_warning(model, "texture \"/dev/zero\": is not a regular file; drawn in magenta"));
