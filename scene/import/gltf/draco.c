@@ -33,6 +33,27 @@ static int find_components(const char *shape)
     return 0;
 }
 
+// Read indices of joints. COLLADA2GLTF keeps them as floats within bounds, which are near whole numbers again.
+static bool read_joints(struct scene_gltf *gltf, const struct scene_draco *draco, uint32_t id,
+                        enum scene_draco_type type, unsigned char *bytes)
+{
+    const size_t count = 4 * (size_t)scene_draco_vertex_count(draco);
+    float *const floats = scene_import_allocate(gltf->import, count, sizeof *floats);
+    bool fits = (type == SCENE_DRACO_UINT8 || type == SCENE_DRACO_UINT16) &&
+                scene_draco_attribute(draco, id, SCENE_DRACO_FLOAT, 4, floats);
+    const float most = type == SCENE_DRACO_UINT8 ? UINT8_MAX : UINT16_MAX;
+    for (size_t i = 0; i < count && fits; i++) {
+        fits = floats[i] > -0.5f && floats[i] < most + 0.5f;
+        const uint16_t joint = fits ? (uint16_t)(floats[i] + 0.5f) : 0;
+        if (type == SCENE_DRACO_UINT8) {
+            bytes[i] = (unsigned char)joint;
+        } else {
+            memcpy(bytes + i * sizeof joint, &joint, sizeof joint);
+        }
+    }
+    return fits;
+}
+
 static void read_attribute(struct scene_gltf *gltf, const struct scene_draco *draco, const char *what,
                            const char *name, uint32_t id, int64_t accessor)
 {
@@ -48,7 +69,9 @@ static void read_attribute(struct scene_gltf *gltf, const struct scene_draco *dr
     }
     const size_t stride = type.size * (size_t)components;
     unsigned char *bytes = scene_import_allocate(gltf->import, count, stride);
-    if (!scene_draco_attribute(draco, id, type.type, components, bytes)) {
+    const bool has_joints = strncmp(name, "JOINTS_", 7) == 0 && components == 4;
+    if (!scene_draco_attribute(draco, id, type.type, components, bytes) &&
+        !(has_joints && read_joints(gltf, draco, id, type.type, bytes))) {
         scene_import_fail(gltf->import, "%s: %s in its Draco data does not fit its accessor's componentType",
                           what, name);
     }

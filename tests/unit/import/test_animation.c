@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Poses of animated glTF files against values worked out by hand: every interpolation, every path, before the first key and
 // after the last; skins and morph targets follow; what is wrong is told by name.
+#include "draco_encode.h"
 #include "model_files.h"
 
 #include <math.h>
@@ -344,11 +345,48 @@ static void test_bad_files(void **state)
     expect_refused_pose("still.obj", NULL, "has no animations that can be played");
 }
 
+// COLLADA2GLTF gives indices of joints to Draco as floats, which come back a little off: each corner has its own joint,
+// which moves it up by a step of its own.
+static void test_joints_of_draco(void **state)
+{
+    (void)state;
+    static const float positions[3][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    static const float joints[3][4] = {{0, 0, 0, 0}, {3, 0, 0, 0}, {4, 0, 0, 0}};
+    static const uint8_t weights[3][4] = {{255}, {255}, {255}};
+    const struct draco_soup soup = {
+        .triangles = 1, .positions = positions, .colors = weights, .joints = joints, .joint_bits = 8};
+    unsigned char bytes[4096];
+    const size_t size = draco_encode(&soup, bytes, sizeof bytes);
+    assert_true(size > 0);
+    for (int type = 5121; type <= 5123; type += 2) {
+        write_format(
+            "d.gltf",
+            "{\"asset\":{\"version\":\"2.0\"},\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0,"
+            "\"skin\":0},{},{},{},{\"translation\":[0,0,10]},{\"translation\":[0,0,20]}],\"skins\":[{"
+            "\"joints\":[1,2,3,4,5]}],\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0,"
+            "\"WEIGHTS_0\":1,\"JOINTS_0\":2},\"extensions\":{\"KHR_draco_mesh_compression\":{"
+            "\"bufferView\":0,\"attributes\":{\"POSITION\":0,\"WEIGHTS_0\":3,\"JOINTS_0\":4}}}}]}],"
+            "\"accessors\":[{\"componentType\":5126,\"count\":3,\"type\":\"VEC3\"},{"
+            "\"componentType\":5121,\"normalized\":true,\"count\":3,\"type\":\"VEC4\"},{"
+            "\"componentType\":%d,\"count\":3,\"type\":\"VEC4\"}],\"bufferViews\":[{\"buffer\":0,"
+            "\"byteLength\":%zu}],\"buffers\":[{\"byteLength\":%zu,\"uri\":\"%s\"}]}",
+            type, size, size, data_uri(bytes, size));
+        struct scene_model *const model = load("d.gltf");
+        assert_int_equal(model->meshes[0].vertex_count, 3);
+        for (int v = 0; v < 3; v++) {
+            const float *const position = model->meshes[0].positions[v];
+            assert_true(position[2] == 10 * position[0] + 20 * position[1]);
+        }
+        scene_model_free(model);
+    }
+}
+
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_translation),     cmocka_unit_test(test_cubic),
     cmocka_unit_test(test_rotation),        cmocka_unit_test(test_scale_and_weights),
     cmocka_unit_test(test_other_formats),   cmocka_unit_test(test_bad_files),
     cmocka_unit_test(test_nothing_at_rest), cmocka_unit_test(test_skinned_normals),
+    cmocka_unit_test(test_joints_of_draco),
 };
 
 const struct unit_tests test_animation = UNIT_TESTS(tests, make_directory, remove_directory);
