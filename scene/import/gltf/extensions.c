@@ -35,6 +35,7 @@ static const char *const known_extensions[] = {
 
 // Extensions that say nothing about the picture.
 static const char *const silent_extensions[] = {
+    "EXT_feature_metadata",
     "EXT_instance_features",
     "EXT_mesh_features",
     "EXT_structural_metadata",

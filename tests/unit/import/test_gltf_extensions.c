@@ -567,7 +567,8 @@ static void test_forgiven(void **state)
     write_format(
         "used.gltf",
         "{\"asset\":{\"version\":\"2.0\"},\"extensionsUsed\":[\"KHR_xmp_json_ld\",\"OMI_physics_body\","
-        "\"VRMC_springBone\"],\"scenes\":[{"
+        "\"VRMC_springBone\",\"EXT_feature_metadata\"],"
+        "\"extensionsRequired\":[\"EXT_feature_metadata\"],\"scenes\":[{"
         "\"nodes\":[0]}],"
         "\"nodes\":[{\"mesh\":0}],\"meshes\":[{\"primitives\":[{\"material\":0,\"attributes\":{"
         "\"POSITION\":0}}]}],"
