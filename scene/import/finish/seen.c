@@ -7,9 +7,10 @@
 
 #include "draw/camera/camera_math.h"
 
-// An alpha below `least_alpha` changes a value of 8 bits by less than 2, even white over black, which nobody sees.
+// An alpha below `least_alpha` changes the grey that is behind a model, where no other background is asked for, by some
+// 2 of 255. Over black it shows, as sRGB has many codes there, but what is next to transparent does not set the frame.
 enum { GRID = 64 };
-static const float least_alpha = 1.0f / 128;
+static const float least_alpha = 1.0f / 256;
 
 struct alpha_grid {
     float largest[GRID][GRID]; // rows from top to bottom

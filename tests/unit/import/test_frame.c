@@ -56,8 +56,8 @@ static void test_what_is_never_seen_sets_no_frame(void **state)
     } cases[] = {
         {SURFACE("BLEND", COLOR("0")), far, false, false},
         {SURFACE("BLEND", COLOR("0.002")), far, false, false},
-        {SURFACE("BLEND", COLOR("0.0077")), far, false, false},
-        {SURFACE("BLEND", COLOR("0.0079")), far, false, true},
+        {SURFACE("BLEND", COLOR("0.0038")), far, false, false},
+        {SURFACE("BLEND", COLOR("0.0040")), far, false, true},
         {SURFACE("BLEND", COLOR("0.02")), far, false, true},
         {SURFACE("OPAQUE", COLOR("0")), far, false, true},
         {SURFACE("MASK", COLOR("0.49")), far, false, false},
