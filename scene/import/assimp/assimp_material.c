@@ -133,8 +133,12 @@ static const struct aiTexture *embedded(const struct reader *reader, const char 
     return NULL;
 }
 
-static enum rhw_address address(enum aiTextureMapMode mode)
+// assimp 5.2.5 gives what an X3D repeats as what it does not, and the other way round.
+static enum rhw_address address(const struct scene_import *import, enum aiTextureMapMode mode)
 {
+    if (strcasecmp(import->ending, "x3d") == 0) {
+        return mode == aiTextureMapMode_Clamp ? RHW_ADDRESS_REPEAT : RHW_ADDRESS_CLAMP;
+    }
     return mode == aiTextureMapMode_Clamp    ? RHW_ADDRESS_CLAMP
            : mode == aiTextureMapMode_Mirror ? RHW_ADDRESS_MIRROR
            : mode == aiTextureMapMode_Decal  ? RHW_ADDRESS_BORDER
@@ -244,8 +248,8 @@ static void read_texture(const struct reader *reader, enum aiTextureType type,
         scene_import_unsupported(reader->import, "textures above each other: the first alone is used");
     }
     texture->slot.uv_set = set < SCENE_UV_SETS ? set : 0;
-    texture->slot.address_u = address(modes[0]);
-    texture->slot.address_v = address(modes[1]);
+    texture->slot.address_u = address(reader->import, modes[0]);
+    texture->slot.address_v = address(reader->import, modes[1]);
     read_transform(reader, type, &texture->slot);
 }
 

@@ -183,11 +183,37 @@ static void test_textures_that_are_used_again(void **state)
     }
 }
 
+// Textures are repeated unless the file says otherwise.
+static void test_repeat(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *fields;
+        enum rhw_address u, v;
+    } cases[] = {
+        {"", RHW_ADDRESS_REPEAT, RHW_ADDRESS_REPEAT},
+        {"repeatS='true' repeatT='false'", RHW_ADDRESS_REPEAT, RHW_ADDRESS_CLAMP},
+        {"repeatS='false'", RHW_ADDRESS_CLAMP, RHW_ADDRESS_REPEAT},
+    };
+    write_texels((const unsigned char[]){255, 255});
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        write_format("r.x3d", "<X3D><Scene>" SHAPE("<ImageTexture url='\"a.tga\"' %s/>") "</Scene></X3D>",
+                     cases[i].fields);
+        struct scene_model *const model = load("r.x3d");
+        const struct scene_texture_slot *const slot =
+            &model->materials[model->meshes[0].material].slots[SCENE_SLOT_BASE_COLOR];
+        assert_int_equal(slot->address_u, cases[i].u);
+        assert_int_equal(slot->address_v, cases[i].v);
+        scene_model_free(model);
+    }
+}
+
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_materials),
     cmocka_unit_test(test_alpha_of_textures),
     cmocka_unit_test(test_textures_of_materials),
     cmocka_unit_test(test_textures_that_are_used_again),
+    cmocka_unit_test(test_repeat),
 };
 
 const struct unit_tests test_x3d_materials = UNIT_TESTS(tests, make_directory, remove_directory);
