@@ -270,13 +270,6 @@ static void make_sides(struct scene_import *import, const struct extrusion *extr
 
 // Caps ----------------------------------------------------------------------------------------------
 
-// The vertices of an extrusion and its faces while caps are added.
-struct whole {
-    float (*points)[3], (*normals)[3], (*places)[2];
-    size_t count;
-    struct scene_x3d_made *made;
-};
-
 // Set the place of the texture's origin in the section, and how large the texture is, which is no larger.
 static void frame_section(const struct list *section, double origin[2], double *size)
 {
@@ -293,7 +286,7 @@ static void frame_section(const struct list *section, double origin[2], double *
 
 // Add a cap, unless its plane has shrunk to less. The first one shows its back to the last one.
 static void add_cap(const struct extrusion *extrusion, const struct row *row, bool is_first,
-                    struct whole *whole)
+                    struct scene_x3d_vertices *whole, struct scene_x3d_made *made)
 {
     const size_t corners = extrusion->section_corners;
     double y[3], origin[2], size;
@@ -313,9 +306,9 @@ static void add_cap(const struct extrusion *extrusion, const struct row *row, bo
             const double at = extrusion->section.values[2 * number + c];
             whole->places[vertex][c] = (float)((at - origin[c]) / size);
         }
-        scene_x3d_add_index(whole->made, vertex);
+        scene_x3d_add_index(made, vertex);
     }
-    scene_x3d_end_face(whole->made);
+    scene_x3d_end_face(made);
 }
 
 // Make a set of the sides and the caps.
@@ -324,11 +317,8 @@ static void make_set(struct scene_import *import, const struct extrusion *extrus
                      struct scene_x3d_made *made)
 {
     const size_t count = sides->vertex_count, most = count + 2 * extrusion->section.count;
-    struct whole whole = {.points = scene_import_allocate(import, most, sizeof *whole.points),
-                          .normals = scene_import_allocate(import, most, sizeof *whole.normals),
-                          .places = scene_import_allocate(import, most, sizeof *whole.places),
-                          .count = count,
-                          .made = made};
+    struct scene_x3d_vertices whole = scene_x3d_allocate_vertices(import, most);
+    whole.count = count;
     memcpy(whole.points, sides->positions, count * sizeof *whole.points);
     memcpy(whole.places, sides->uvs[0], count * sizeof *whole.places);
     if (sides->normals != NULL) {
@@ -344,17 +334,10 @@ static void make_set(struct scene_import *import, const struct extrusion *extrus
     }
     for (int i = 0; i < 2; i++) {
         if (has_caps[i]) {
-            add_cap(extrusion, &caps[i], i == 0, &whole);
+            add_cap(extrusion, &caps[i], i == 0, &whole, made);
         }
     }
-    made->lists[SCENE_X3D_POINTS] = scene_x3d_write_numbers(import, whole.points[0], 3 * whole.count);
-    made->lists[SCENE_X3D_PLACES] = scene_x3d_write_numbers(import, whole.places[0], 2 * whole.count);
-    if (sides->normals != NULL) {
-        made->lists[SCENE_X3D_NORMALS] = scene_x3d_write_numbers(import, whole.normals[0], 3 * whole.count);
-    }
-    free(whole.points);
-    free(whole.normals);
-    free(whole.places);
+    scene_x3d_write_vertices(import, &whole, sides->normals != NULL, made);
 }
 
 // Entry ---------------------------------------------------------------------------------------------

@@ -89,7 +89,7 @@ static void write_tuples(struct out *out, const struct scene_x3d_set *set, enum 
 }
 
 // Return the first number of the normal behind the last point: the crease angle in radians, −1 where the set has
-// normals, −2 where the file leaves it open, and −3 where faces are smooth as far as they share points.
+// normals, −2 where it is open, and −3 where faces are smooth as far as they share points.
 static double crease_of(const struct scene_x3d_set *set)
 {
     double angle = 0;
@@ -102,7 +102,7 @@ static double crease_of(const struct scene_x3d_set *set)
     }
     if (!set->kind->has_crease_angle) {
         const bool shares_points = set->kind->index != NULL || set->kind->counts != NULL;
-        return !shares_points ? 0 : set->is_parted ? -2 : -3;
+        return set->kind->make != NULL ? -2 : !shares_points ? 0 : set->is_parted ? -2 : -3;
     }
     const struct scene_collada_value value = scene_collada_attribute(set->tag, set->close, "creaseAngle");
     const char *const end = value.text + value.length;
@@ -315,6 +315,18 @@ static void write_list(struct scene_import *import, struct scene_edits *edits, s
     }
 }
 
+// Return true if the shape that begins at `shape` has a texture.
+static bool has_texture(const char *shape)
+{
+    for (const char *tag = strchr(shape + 1, '<');
+         tag != NULL && !scene_collada_is_tag(tag + (tag[1] == '/'), "Shape"); tag = strchr(tag + 1, '<')) {
+        if (scene_collada_is_tag(tag, "ImageTexture")) {
+            return true;
+        }
+    }
+    return false;
+}
+
 bool scene_assimp_write_faces(struct scene_import *import, struct scene_edits *edits,
                               struct scene_x3d_faces *faces, const char *text, char *tag, char *close,
                               const char *end)
@@ -325,7 +337,10 @@ bool scene_assimp_write_faces(struct scene_import *import, struct scene_edits *e
     if (property != NULL) {
         write_list(import, edits, faces, text, tag, close, property);
     }
-    if (kind == NULL) {
+    if (scene_collada_is_tag(tag, "Shape")) {
+        faces->is_textured = has_texture(tag);
+    }
+    if (kind == NULL || (kind->is_for_textures && !faces->is_textured)) {
         return property != NULL;
     }
     if (is_end) {
@@ -335,7 +350,8 @@ bool scene_assimp_write_faces(struct scene_import *import, struct scene_edits *e
         }
         return true;
     }
-    struct scene_x3d_set set = {.kind = kind, .tag = tag, .close = close};
+    struct scene_x3d_set set = {
+        .kind = kind, .tag = tag, .close = close, .made = {.is_textured = faces->is_textured}};
     const char *const end_name = faces->open == 0 ? write_first(import, edits, faces, text, &set, end) : NULL;
     if (close[-1] != '/' && faces->open++ == 0) {
         faces->end_name = end_name;

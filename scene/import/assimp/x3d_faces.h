@@ -15,6 +15,7 @@ struct scene_x3d_faces {
     size_t read, most_read;  ///< bytes of their lists, as often as one was read, and how many they may be
     size_t end;              ///< where the set ends that was written last
     size_t open;             ///< the sets that are open; within another one none is written
+    bool is_textured;        ///< the shape that began last has a texture
     const char *end_name;    ///< what the outermost is called at its end; NULL where it keeps its name
     struct scene_x3d_names
         lists; ///< points, normals, colours and texture coordinates: where their numbers stand

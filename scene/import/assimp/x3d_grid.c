@@ -19,18 +19,17 @@ bool scene_x3d_make_grid(struct scene_import *import, char *tag, char *close, st
     double *const height = scene_x3d_numbers_of(import, tag, close, "height", "", &heights);
     const bool is_whole = count > 0 && heights / columns >= rows;
     if (is_whole) {
-        float(*const points)[3] = scene_import_allocate_any(import, count, sizeof *points);
-        float(*const places)[2] = scene_import_allocate_any(import, count, sizeof *places);
+        struct scene_x3d_vertices vertices = scene_x3d_allocate_vertices(import, count);
         for (size_t i = 0; i < count; i++) {
             const double x = (double)(i % columns), z = (double)(i / columns);
-            points[i][0] = (float)(x * wide);
-            points[i][1] = (float)height[i];
-            points[i][2] = (float)(z * deep);
-            places[i][0] = (float)(x / (double)(columns - 1));
-            places[i][1] = (float)(z / (double)(rows - 1));
+            vertices.points[i][0] = (float)(x * wide);
+            vertices.points[i][1] = (float)height[i];
+            vertices.points[i][2] = (float)(z * deep);
+            vertices.places[i][0] = (float)(x / (double)(columns - 1));
+            vertices.places[i][1] = (float)(z / (double)(rows - 1));
         }
-        made->lists[SCENE_X3D_POINTS] = scene_x3d_write_numbers(import, points[0], 3 * count);
-        made->lists[SCENE_X3D_PLACES] = scene_x3d_write_numbers(import, places[0], 2 * count);
+        vertices.count = count;
+        scene_x3d_write_vertices(import, &vertices, false, made);
         made->index.list =
             scene_import_allocate_any(import, 5 * (columns - 1) * (rows - 1), sizeof *made->index.list);
         for (size_t i = 0; i < columns * (rows - 1); i++) {
@@ -42,8 +41,6 @@ bool scene_x3d_make_grid(struct scene_import *import, char *tag, char *close, st
                 scene_x3d_end_face(made);
             }
         }
-        free(points);
-        free(places);
     }
     free(height);
     return is_whole;

@@ -198,12 +198,13 @@ static char *write_use(struct work *work, char *tag, char *close, const char *en
     return last;
 }
 
-// Return true for the tag of a node that is written as often as it is used: groups, and what assimp would search all
-// nodes of the document for at each use.
+// Return true for the tag of a node that is written as often as it is used: groups, solids, which are made with a
+// texture or without one, and what assimp would search all nodes of the document for at each use.
 static bool is_written_again(const char *tag)
 {
-    static const char *const nodes[] = {"Shape",        "Appearance",       "Material",
-                                        "ImageTexture", "TextureTransform", "Inline"};
+    static const char *const nodes[] = {
+        "Shape",  "Appearance", "Material", "ImageTexture", "TextureTransform",
+        "Inline", "Box",        "Sphere",   "Cone",         "Cylinder"};
     bool is_node = find_group(tag) != NULL;
     for (size_t i = 0; i < sizeof nodes / sizeof nodes[0]; i++) {
         is_node = is_node || scene_collada_is_tag(tag, nodes[i]);

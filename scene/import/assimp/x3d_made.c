@@ -45,7 +45,8 @@ double *scene_x3d_numbers_of(struct scene_import *import, char *tag, char *close
     return list;
 }
 
-char *scene_x3d_write_numbers(struct scene_import *import, const float *numbers, size_t count)
+// Return the text of a list of numbers.
+static char *write_numbers(struct scene_import *import, const float *numbers, size_t count)
 {
     enum { LONGEST = 17 }; // a sign, 9 digits with a point, an exponent and a blank
     char *const text = scene_import_allocate(import, count + 1, LONGEST), *end = text;
@@ -53,6 +54,29 @@ char *scene_x3d_write_numbers(struct scene_import *import, const float *numbers,
         end += sprintf(end, "%.9g ", (double)numbers[i]);
     }
     return text;
+}
+
+struct scene_x3d_vertices scene_x3d_allocate_vertices(struct scene_import *import, size_t most)
+{
+    struct scene_x3d_vertices vertices;
+    vertices.points = scene_import_allocate(import, most, sizeof *vertices.points);
+    vertices.normals = scene_import_allocate(import, most, sizeof *vertices.normals);
+    vertices.places = scene_import_allocate(import, most, sizeof *vertices.places);
+    vertices.count = 0;
+    return vertices;
+}
+
+void scene_x3d_write_vertices(struct scene_import *import, const struct scene_x3d_vertices *vertices,
+                              bool has_normals, struct scene_x3d_made *made)
+{
+    const size_t count = vertices->count;
+    made->lists[SCENE_X3D_POINTS] = write_numbers(import, vertices->points[0], 3 * count);
+    made->lists[SCENE_X3D_NORMALS] =
+        has_normals ? write_numbers(import, vertices->normals[0], 3 * count) : NULL;
+    made->lists[SCENE_X3D_PLACES] = write_numbers(import, vertices->places[0], 2 * count);
+    free(vertices->points);
+    free(vertices->normals);
+    free(vertices->places);
 }
 
 void scene_x3d_add_index(struct scene_x3d_made *made, size_t index)

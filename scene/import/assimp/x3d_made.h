@@ -15,6 +15,7 @@ enum scene_x3d_purpose {
 };
 
 struct scene_x3d_made {
+    bool is_textured;                ///< set before it is made
     char *lists[SCENE_X3D_PURPOSES]; ///< what its points have; NULL for what the file says, or is made later
     struct scene_x3d_indices index;  ///< the faces
 };
@@ -25,6 +26,22 @@ typedef bool scene_x3d_make(struct scene_import *import, char *tag, char *close,
 
 scene_x3d_make scene_x3d_make_grid;
 scene_x3d_make scene_x3d_make_extrusion;
+scene_x3d_make scene_x3d_make_box;
+scene_x3d_make scene_x3d_make_sphere;
+scene_x3d_make scene_x3d_make_cone;
+scene_x3d_make scene_x3d_make_cylinder;
+
+/// Points with what they have.
+struct scene_x3d_vertices {
+    float (*points)[3], (*normals)[3], (*places)[2];
+    size_t count;
+};
+
+/// Return room for as many as `most` vertices.
+struct scene_x3d_vertices scene_x3d_allocate_vertices(struct scene_import *import, size_t most);
+/// Write vertices as the lists of `made`, and free them.
+void scene_x3d_write_vertices(struct scene_import *import, const struct scene_x3d_vertices *vertices,
+                              bool has_normals, struct scene_x3d_made *made);
 
 /// Return the number of an attribute, or `usual` where it has none.
 double scene_x3d_number_of(char *tag, char *close, const char *name, double usual);
@@ -34,8 +51,6 @@ bool scene_x3d_is_false(char *tag, char *close, const char *name);
 /// one of them is no number.
 double *scene_x3d_numbers_of(struct scene_import *import, char *tag, char *close, const char *name,
                              const char *usual, size_t *count);
-/// Return the text of a list of numbers.
-char *scene_x3d_write_numbers(struct scene_import *import, const float *numbers, size_t count);
 /// Add an index to as many as `made` has room for.
 void scene_x3d_add_index(struct scene_x3d_made *made, size_t index);
 /// End a face.

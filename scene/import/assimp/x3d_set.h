@@ -22,6 +22,7 @@ struct scene_x3d_kind {
     bool has_crease_angle;
     scene_x3d_make *make; ///< NULL where its points are in the file
     const char *told;     ///< what is told where nothing is made
+    bool is_for_textures; ///< without a texture assimp makes it right
 };
 
 /// What a set has of one property.
