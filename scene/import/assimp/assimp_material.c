@@ -133,10 +133,15 @@ static const struct aiTexture *embedded(const struct reader *reader, const char 
     return NULL;
 }
 
+static bool is_x3d(const struct scene_import *import)
+{
+    return strcasecmp(import->ending, "x3d") == 0;
+}
+
 // assimp 5.2.5 gives what an X3D repeats as what it does not, and the other way round.
 static enum rhw_address address(const struct scene_import *import, enum aiTextureMapMode mode)
 {
-    if (strcasecmp(import->ending, "x3d") == 0) {
+    if (is_x3d(import)) {
         return mode == aiTextureMapMode_Clamp ? RHW_ADDRESS_REPEAT : RHW_ADDRESS_CLAMP;
     }
     return mode == aiTextureMapMode_Clamp    ? RHW_ADDRESS_CLAMP
@@ -145,7 +150,8 @@ static enum rhw_address address(const struct scene_import *import, enum aiTextur
                                              : RHW_ADDRESS_REPEAT;
 }
 
-// assimp scales, then turns about the middle of the image, then moves, with v upward; ours is downward.
+// assimp scales, then turns about the middle of the image, then moves, with v upward; ours is downward. An X3D turns
+// about the origin, then scales, as it is written for assimp.
 static void read_transform(const struct reader *reader, enum aiTextureType type,
                            struct scene_texture_slot *slot)
 {
@@ -156,9 +162,12 @@ static void read_transform(const struct reader *reader, enum aiTextureType type,
     }
     const float c = (float)scene_cos((double)t.mRotation), s = (float)scene_sin((double)t.mRotation);
     const float x = t.mScaling.x, y = t.mScaling.y;
-    // Upward: u' = c·x·u − s·y·v + e, v' = s·x·u + c·y·v + f; then v → 1 − v on both sides.
-    const float e = 0.5f * (1 - c + s) + t.mTranslation.x, f = 0.5f * (1 - s - c) + t.mTranslation.y;
-    const float transform[6] = {c * x, s * y, e - s * y, -s * x, c * y, 1 - f - c * y};
+    const bool is_scaled_last = is_x3d(reader->import);
+    // Upward: u' = m0·u + m1·v + e, v' = m2·u + m3·v + f; then v → 1 − v on both sides.
+    const float m[4] = {c * x, -s * (is_scaled_last ? x : y), s * (is_scaled_last ? y : x), c * y};
+    const float e = t.mTranslation.x + (is_scaled_last ? 0 : 0.5f * (1 - c + s)),
+                f = t.mTranslation.y + (is_scaled_last ? 0 : 0.5f * (1 - s - c));
+    const float transform[6] = {m[0], -m[1], e + m[1], -m[2], m[3], 1 - f - m[3]};
     if (scene_import_finite(transform, 6)) {
         memcpy(slot->transform, transform, sizeof transform);
     }

@@ -82,6 +82,7 @@ static char *write_tags(struct scene_import *import, const struct scene_x3d_docu
                    !scene_assimp_write_group(import, &edits, text, tag, close) &&
                    !scene_x3d_write_inline(import, &edits, document, text, tag, close)) {
             scene_x3d_write_address(import, &edits, document, text, tag, close);
+            scene_x3d_write_texture_transform(import, &edits, text, tag, close);
         }
     }
     scene_x3d_free_faces(&faces);

@@ -281,6 +281,9 @@ static const char *write_first(struct scene_import *import, struct scene_edits *
     } else if (set->parts[SCENE_X3D_POINTS].property != NULL &&
                set->parts[SCENE_X3D_POINTS].list.text == NULL) {
         scene_import_unsupported(import, "sets of points that are not there (X3D): not drawn");
+    } else if (set->kind->index != NULL && set->parts[SCENE_X3D_POINTS].property != NULL &&
+               scene_collada_attribute(set->tag, set->close, set->kind->index).text == NULL) {
+        scene_import_unsupported(import, "sets of faces or lines without indices (X3D): not drawn");
     }
     return leave_out(import, edits, faces, at, set);
 }

@@ -5,10 +5,13 @@
 #include "x3d_materials.h"
 
 #include "collada_markup.h"
+#include "elementary.h"
 #include "import/builder/import.h"
+#include "x3d_made.h"
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 static const struct kind {
@@ -141,4 +144,40 @@ bool scene_assimp_write_material(struct scene_import *import, struct scene_edits
         scene_import_unsupported(import, "%s", kind->told);
     }
     return true;
+}
+
+static void read_pair(struct scene_import *import, char *tag, char *close, const char *name, double usual,
+                      double pair[2])
+{
+    size_t count;
+    double *const numbers = scene_x3d_numbers_of(import, tag, close, name, "", &count);
+    pair[0] = count >= 2 ? numbers[0] : usual;
+    pair[1] = count >= 2 ? numbers[1] : usual;
+    free(numbers);
+}
+
+void scene_x3d_write_texture_transform(struct scene_import *import, struct scene_edits *edits,
+                                       const char *text, char *tag, char *close)
+{
+    if (!scene_collada_is_tag(tag, "TextureTransform") ||
+        scene_collada_attribute(tag, close, "USE").text != NULL) {
+        return;
+    }
+    const struct scene_collada_value name = scene_collada_attribute(tag, close, "DEF");
+    const double turn = scene_x3d_number_of(tag, close, "rotation", 0), c = scene_cos(turn),
+                 s = scene_sin(turn);
+    double center[2], move[2], scale[2];
+    read_pair(import, tag, close, "center", 0, center);
+    read_pair(import, tag, close, "translation", 0, move);
+    read_pair(import, tag, close, "scale", 1, scale);
+    // What the standard has is scale · turn · (place + move + center) − center.
+    const double u = move[0] + center[0], v = move[1] + center[1];
+    char *const tag_text = scene_import_allocate(import, name.length + 256, 1);
+    snprintf(tag_text, name.length + 256,
+             "<TextureTransform%s%.*s translation='%.9g %.9g' scale='%.9g %.9g' rotation='%.9g'%s>",
+             name.text == NULL ? "" : " DEF=", (int)(name.text == NULL ? 0 : name.length + 2),
+             name.text == NULL ? "" : name.text - 1, scale[0] * (c * u - s * v) - center[0],
+             scale[1] * (s * u + c * v) - center[1], scale[0], scale[1], turn, close[-1] == '/' ? "/" : "");
+    scene_edits_add_string(import, edits, (size_t)(tag - text), (size_t)(close - tag) + 1, tag_text);
+    free(tag_text);
 }

@@ -25,5 +25,9 @@ struct scene_x3d_tag {
 /// is lost.
 bool scene_assimp_write_material(struct scene_import *import, struct scene_edits *edits,
                                  struct scene_x3d_materials *materials, const struct scene_x3d_tag *found);
+/// Write the tag of a transform of texture coordinates, from `tag` to `close`, without its center, from which assimp
+/// would make another one. `text` is where the document begins.
+void scene_x3d_write_texture_transform(struct scene_import *import, struct scene_edits *edits,
+                                       const char *text, char *tag, char *close);
 
 #endif

@@ -88,6 +88,10 @@ static void test_nodes(void **state)
          NULL},
         {"<Group USE='c'><!-- none --></Group>" SHAPE(""), 2, used},
         {"<Group><!-- one --></Group><Collision> " SHAPE("") "</Collision>", 2, NULL},
+        {"<Shape><IndexedFaceSet><Coordinate point='0 0 0 1 0 0 0 1 0'/></IndexedFaceSet></Shape>", 1,
+         "sets of faces or lines without indices (X3D): not drawn"},
+        {"<Shape><IndexedLineSet/></Shape><ProtoDeclare/>", 1, "prototypes: not drawn"},
+        {"<Script/>", 1, "what scripts make: not drawn"},
         {"<Shape><IndexedFaceSet coordIndex=''><Coordinate point='0 0 0'/></IndexedFaceSet></Shape>", 1,
          NULL},
         {"<Shape><IndexedFaceSet coordIndex='-1 0 1 2 -1 -1'><Coordinate point='0 0 0 1 0 0 0 1 0'/>"

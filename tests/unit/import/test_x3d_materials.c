@@ -208,12 +208,41 @@ static void test_repeat(void **state)
     }
 }
 
+// Texture coordinates are moved, turned around the center, then scaled from there, as the standard multiplies these.
+static void test_texture_transforms(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *fields;
+        float transform[6];
+    } cases[] = {
+        {"", {1, 0, 0, 0, 1, 0}},
+        {"translation='0.25 0.125'", {1, 0, 0.25f, 0, 1, -0.125f}},
+        {"DEF='t' translation='0.25 0' scale='2 4'", {2, 0, 0.5f, 0, 4, -3}},
+        {"center='0.5 0.25' scale='2 4'", {2, 0, 0.5f, 0, 4, -3.75f}},
+        {"translation='0.25 0.5' center='0.5 0.25' scale='2 3' rotation='1.57079633'", {0, 2, -4, -3, 0, -1}},
+    };
+    write_texels((const unsigned char[]){255, 255});
+    for (size_t i = 0; i < 2 * sizeof cases / sizeof cases[0]; i++) {
+        write_format(
+            "t.x3d",
+            "<X3D><Scene>" SHAPE("<ImageTexture url='\"a.tga\"'/><TextureTransform %s%s") "</Scene></X3D>",
+            cases[i / 2].fields, i % 2 == 0 ? "/>" : "></TextureTransform>");
+        struct scene_model *const model = load("t.x3d");
+        const struct scene_texture_slot *const slot =
+            &model->materials[model->meshes[0].material].slots[SCENE_SLOT_BASE_COLOR];
+        assert_floats(slot->transform, cases[i / 2].transform, 6, 1e-5f);
+        scene_model_free(model);
+    }
+}
+
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_materials),
     cmocka_unit_test(test_alpha_of_textures),
     cmocka_unit_test(test_textures_of_materials),
     cmocka_unit_test(test_textures_that_are_used_again),
     cmocka_unit_test(test_repeat),
+    cmocka_unit_test(test_texture_transforms),
 };
 
 const struct unit_tests test_x3d_materials = UNIT_TESTS(tests, make_directory, remove_directory);
