@@ -135,13 +135,42 @@ char *scene_x3d_read_document(struct scene_import *import, const struct scene_x3
     return write_tags(import, document, text, size);
 }
 
+static bool is_light(const char *tag)
+{
+    return scene_collada_is_tag(tag, "DirectionalLight") || scene_collada_is_tag(tag, "PointLight") ||
+           scene_collada_is_tag(tag, "SpotLight");
+}
+
+// Take the name of each light that has that of another one, as assimp puts all lights of a name in one place.
+static char *drop_names(struct scene_import *import, char *text, size_t *size)
+{
+    struct scene_edits edits = {0};
+    struct scene_x3d_names lights = {0};
+    char *close;
+    for (char *tag = strchr(text, '<'); tag != NULL; tag = strchr(close, '<')) {
+        close = scene_collada_markup_end(tag, text + *size);
+        if (close == NULL) {
+            break;
+        }
+        const struct scene_collada_value name = is_light(tag) ? scene_collada_attribute(tag, close, "DEF")
+                                                              : (struct scene_collada_value){NULL, 0};
+        if (name.text != NULL && scene_x3d_find_name(&lights, name) != NULL) {
+            scene_edits_add_string(import, &edits, (size_t)(name.text - text), name.length, "");
+        }
+        scene_x3d_add_name(import, &lights, (struct scene_x3d_name){.name = name});
+    }
+    scene_x3d_free_names(&lights);
+    return scene_edits_replace(import, &edits, text, size);
+}
+
 char *scene_assimp_x3d(struct scene_import *import, const struct scene_assimp_unknowns *unknowns,
                        size_t *size)
 {
     size_t room = (size_t)1 << 25;
     const struct scene_x3d_document document = {import->model.path, "", NULL, &room};
-    char *const text =
+    char *text =
         strcasecmp(import->ending, "x3d") == 0 ? scene_x3d_read_document(import, &document, size) : NULL;
+    text = text == NULL ? NULL : drop_names(import, text, size);
     for (unsigned i = 0; text != NULL && i < unknowns->count; i++) {
         blank_nodes(text, *size, &unknowns->list[i]); // assimp names the parents of nodes as they are written
     }

@@ -121,34 +121,6 @@ static void keep(struct work *work, struct element element, const char *end)
                        (struct scene_x3d_name){element.name, element.at, place_of(work, end) - element.at});
 }
 
-static bool is_light(const char *tag)
-{
-    return scene_collada_is_tag(tag, "DirectionalLight") || scene_collada_is_tag(tag, "PointLight") ||
-           scene_collada_is_tag(tag, "SpotLight");
-}
-
-// Take the names of the lights out of what is written from `at` on. assimp puts all lights of a name in one place.
-static void drop_names(struct work *work, size_t at)
-{
-    char *from = work->out + at, *to = from, *const end = work->out + work->size, *close;
-    *end = 0;
-    for (char *tag = strchr(from, '<'); tag != NULL; tag = strchr(close, '<')) {
-        close = scene_collada_markup_end(tag, end);
-        if (close == NULL) {
-            break;
-        }
-        const struct scene_collada_value name = is_light(tag) ? scene_collada_attribute(tag, close, "DEF")
-                                                              : (struct scene_collada_value){NULL, 0};
-        if (name.text != NULL) {
-            memmove(to, from, (size_t)(name.text - from));
-            to += name.text - from;
-            from = name.text + name.length;
-        }
-    }
-    memmove(to, from, (size_t)(end - from));
-    work->size -= (size_t)(from - to);
-}
-
 // Return the end of an element that is used again, which has comments at most in it. Return NULL if it has more.
 static char *end_of_use(char *close, const char *end)
 {
@@ -191,9 +163,7 @@ static char *write_use(struct work *work, char *tag, char *close, const char *en
         return NULL;
     }
     write_text(work, work->from, (size_t)(tag - work->from));
-    const size_t at = work->size;
     write_copy(work, named, scene_collada_attribute(tag, close, "containerField"));
-    drop_names(work, at);
     work->from = last + 1;
     return last;
 }

@@ -37,6 +37,19 @@ static void test_inline_files(void **state)
     scene_model_free(model);
 }
 
+// Lights of a file that is shown twice stand in two places.
+static void test_lights(void **state)
+{
+    (void)state;
+    write_text("lamp.x3d", FILE_OF("<PointLight DEF='l' location='0 0 1'/>" SHAPE("")));
+    struct scene_model *const model =
+        load_text("l.x3d", FILE_OF("<Inline url='lamp.x3d'/><Transform translation='5 0 0'><Inline "
+                                   "url='lamp.x3d'/></Transform>"));
+    assert_int_equal(model->light_count, 2);
+    assert_true(model->lights[0].position[0] == 0 && model->lights[1].position[0] == 5);
+    scene_model_free(model);
+}
+
 // Textures and files are looked for beside the file that names them.
 static void test_folders(void **state)
 {
@@ -125,9 +138,8 @@ static void test_many_files(void **state)
 }
 
 static const struct CMUnitTest tests[] = {
-    cmocka_unit_test(test_inline_files),
-    cmocka_unit_test(test_folders),
-    cmocka_unit_test(test_what_is_not_shown),
+    cmocka_unit_test(test_inline_files), cmocka_unit_test(test_lights),
+    cmocka_unit_test(test_folders),      cmocka_unit_test(test_what_is_not_shown),
     cmocka_unit_test(test_many_files),
 };
 
