@@ -4,6 +4,7 @@
 
 #include "import/builder/decimal.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -77,6 +78,59 @@ void scene_x3d_write_vertices(struct scene_import *import, const struct scene_x3
     free(vertices->points);
     free(vertices->normals);
     free(vertices->places);
+}
+
+// Set the bounds of points. Return false if they are no numbers.
+static bool find_bounds(const struct scene_x3d_numbers *points, double least[3], double size[3])
+{
+    double most[3] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+    for (size_t c = 0; c < 3; c++) {
+        least[c] = HUGE_VAL;
+        for (size_t i = c; i < points->count / 3 * 3; i += 3) {
+            const struct scene_collada_value text = points->list[i];
+            double number;
+            if (scene_decimal_read(text.text, text.text + text.length, &number) == NULL) {
+                return false;
+            }
+            least[c] = fmin(least[c], number);
+            most[c] = fmax(most[c], number);
+        }
+        size[c] = most[c] - least[c];
+    }
+    return true;
+}
+
+// Return the longest dimension but one, which may be 3, the first of equal ones.
+static size_t find_longest(const double size[3], size_t but)
+{
+    size_t longest = but == 0;
+    for (size_t c = 0; c < 3; c++) {
+        longest = c != but && size[c] > size[longest] ? c : longest;
+    }
+    return longest;
+}
+
+char *scene_x3d_make_places(struct scene_import *import, const struct scene_x3d_numbers *points)
+{
+    double least[3], size[3];
+    if (!find_bounds(points, least, size)) {
+        return NULL;
+    }
+    const size_t first = find_longest(size, 3), axes[2] = {first, find_longest(size, first)},
+                 count = points->count / 3;
+    if (!(size[first] > 0 && size[first] < 1e30)) {
+        return NULL;
+    }
+    float(*const places)[2] = scene_import_allocate(import, count, sizeof *places);
+    for (size_t i = 0; i < 2 * count; i++) {
+        const struct scene_collada_value text = points->list[i / 2 * 3 + axes[i % 2]];
+        double number = 0;
+        scene_decimal_read(text.text, text.text + text.length, &number);
+        places[i / 2][i % 2] = (float)((number - least[axes[i % 2]]) / size[first]);
+    }
+    char *const text = write_numbers(import, places[0], 2 * count);
+    free(places);
+    return text;
 }
 
 void scene_x3d_add_index(struct scene_x3d_made *made, size_t index)

@@ -51,6 +51,9 @@ bool scene_x3d_is_false(char *tag, char *close, const char *name);
 /// one of them is no number.
 double *scene_x3d_numbers_of(struct scene_import *import, char *tag, char *close, const char *name,
                              const char *usual, size_t *count);
+/// Return texture coordinates for points whose file gives none, as the standard makes them of their bounds (ISO/IEC
+/// 19775-1 13.3.6). Return NULL if the points have no size, or are no numbers.
+char *scene_x3d_make_places(struct scene_import *import, const struct scene_x3d_numbers *points);
 /// Add an index to as many as `made` has room for.
 void scene_x3d_add_index(struct scene_x3d_made *made, size_t index);
 /// End a face.

@@ -107,6 +107,22 @@ static void add_made(struct scene_import *import, struct scene_x3d_set *set)
     }
 }
 
+// Give a set with a texture coordinates for it, if it has none.
+static void add_places(struct scene_import *import, struct scene_x3d_set *set)
+{
+    struct scene_x3d_part *const part = &set->parts[SCENE_X3D_PLACES];
+    if (!set->made.is_textured || part->property != NULL || scene_x3d_is_lines(set->kind)) {
+        return;
+    }
+    char *const list = scene_x3d_make_places(import, &set->parts[SCENE_X3D_POINTS].numbers);
+    if (list != NULL) {
+        set->made.lists[SCENE_X3D_PLACES] = list;
+        *part = (struct scene_x3d_part){.property = scene_x3d_find_property("<TextureCoordinate>"),
+                                        .list = {list, strlen(list)}};
+        part->numbers = scene_x3d_read_numbers(import, part->list);
+    }
+}
+
 const char *scene_x3d_find_parts(const struct scene_x3d_names *lists, const char *text,
                                  struct scene_x3d_set *set, const char *end)
 {
@@ -189,7 +205,7 @@ static void read_ways(struct scene_import *import, struct scene_x3d_set *set)
         if (part->property == NULL) {
             continue;
         }
-        if (set->kind->index != NULL &&
+        if (part->tag != NULL && set->kind->index != NULL &&
             (set->kind->order == SCENE_X3D_POLYGONS || scene_x3d_is_lines(set->kind))) {
             part->index =
                 scene_x3d_read_indices(import, scene_collada_attribute(set->tag, set->close, indices[i]));
@@ -233,6 +249,7 @@ enum scene_x3d_found scene_x3d_read_set(struct scene_import *import, struct scen
     for (int i = 0; i < SCENE_X3D_PURPOSES; i++) {
         set->parts[i].numbers = scene_x3d_read_numbers(import, set->parts[i].list);
     }
+    add_places(import, set);
     const size_t points = set->parts[SCENE_X3D_POINTS].numbers.count / 3;
     const bool is_turned = scene_x3d_is_false(set->tag, set->close, "ccw");
     set->index = set->kind->make != NULL ? set->made.index : read_index(import, set, points);

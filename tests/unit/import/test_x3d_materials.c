@@ -236,12 +236,55 @@ static void test_texture_transforms(void **state)
     }
 }
 
+// A texture lies on faces without coordinates along their longest dimension, and the second of these across.
+static void test_usual_places(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *set;
+        float places[4][2]; // of the points in the order of the file, upward
+    } cases[] = {
+        {"<IndexedFaceSet coordIndex='0 1 2 3 -1' texCoordIndex='3 3 3 3 -1'><Coordinate point='1 5 0 5 5 0 "
+         "5 7 0 1 "
+         "7 0'/></IndexedFaceSet>",
+         {{0, 0}, {1, 0}, {1, 0.5f}, {0, 0.5f}}},
+        {"<QuadSet><Coordinate point='0 0 0 0 1 0 0 1 4 0 0 4'/></QuadSet>",
+         {{0, 0}, {0, 0.25f}, {1, 0.25f}, {1, 0}}},
+        {"<IndexedTriangleSet index='0 1 2 0 2 3'><Coordinate point='0 0 2 2 0 2 2 0 0 0 0 "
+         "0'/></IndexedTriangleSet>",
+         {{0, 1}, {1, 1}, {1, 0}, {0, 0}}},
+    };
+    write_texels((const unsigned char[]){255, 255});
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        write_format("p.x3d",
+                     "<X3D><Scene><Shape><Appearance><ImageTexture "
+                     "url='\"a.tga\"'/></Appearance>%s</Shape></Scene></X3D>",
+                     cases[i].set);
+        struct scene_model *const model = load("p.x3d");
+        const struct scene_mesh *const mesh = &model->meshes[0];
+        assert_int_equal(model->unsupported_count + model->warning_count, 0);
+        assert_int_equal(model->triangles_drawn, 2);
+        for (size_t k = 0; k < 4; k++) {
+            bool found = false;
+            for (uint32_t v = 0; v < mesh->vertex_count; v++) {
+                found = found || (mesh->uvs[0][v][0] == cases[i].places[k][0] &&
+                                  mesh->uvs[0][v][1] == 1 - cases[i].places[k][1]);
+            }
+            if (!found) {
+                fail_msg("case %zu: point %zu is not there", i, k);
+            }
+        }
+        scene_model_free(model);
+    }
+}
+
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_materials),
     cmocka_unit_test(test_alpha_of_textures),
     cmocka_unit_test(test_textures_of_materials),
     cmocka_unit_test(test_textures_that_are_used_again),
     cmocka_unit_test(test_repeat),
+    cmocka_unit_test(test_usual_places),
     cmocka_unit_test(test_texture_transforms),
 };
 
