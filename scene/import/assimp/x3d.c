@@ -60,8 +60,8 @@ static char *write_tags(struct scene_import *import, const struct scene_x3d_docu
                         size_t *size)
 {
     write_blanks(source, size);
-    char *const text =
-        scene_assimp_repeat_groups(import, scene_assimp_hide_proxies(import, source, size), size);
+    char *const text = scene_assimp_repeat_groups(import, scene_assimp_hide_proxies(import, source, size),
+                                                  size, document->outer != NULL);
     struct scene_edits edits = {0};
     // Many sets may use one list of points, which is read for each, and which each may have all of.
     const size_t room = (size_t)1 << 25, per_byte = 8, most_read = (size_t)1 << 28;

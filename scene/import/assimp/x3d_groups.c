@@ -5,7 +5,7 @@
 
 #include "collada_markup.h"
 #include "import/builder/import.h"
-#include "x3d_names.h"
+#include "x3d_set.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -91,6 +91,7 @@ struct work {
     char *from; // what is read from here on is not written yet
     char *out;  // the text that is written
     size_t size, capacity, largest;
+    bool repeats_sets;
     struct element *open;
     size_t open_count, open_capacity;
     struct scene_x3d_names
@@ -194,7 +195,8 @@ static char *repeat(struct work *work, char *tag, char *close, const char *end)
     if (tag[1] == '!' || tag[1] == '?') {
         return close;
     }
-    const bool is_repeated = is_written_again(tag);
+    const bool is_repeated =
+        is_written_again(tag) || (work->repeats_sets && scene_x3d_find_kind(tag) != NULL);
     char *const last = is_repeated ? write_use(work, tag, close, end) : NULL;
     if (last != NULL) {
         return last;
@@ -213,11 +215,12 @@ static char *repeat(struct work *work, char *tag, char *close, const char *end)
     return close;
 }
 
-char *scene_assimp_repeat_groups(struct scene_import *import, char *text, size_t *size)
+char *scene_assimp_repeat_groups(struct scene_import *import, char *text, size_t *size, bool has_own_names)
 {
     // A few groups in each other, of two uses each, would be of any size.
     const size_t room = (size_t)1 << 23, per_byte = 8;
-    struct work work = {.import = import, .from = text, .largest = room + per_byte * *size};
+    struct work work = {
+        .import = import, .from = text, .largest = room + per_byte * *size, .repeats_sets = has_own_names};
     const char *const end = text + *size;
     char *close;
     for (char *tag = strchr(text, '<'); tag != NULL; tag = strchr(close, '<')) {

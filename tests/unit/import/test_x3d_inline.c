@@ -50,6 +50,25 @@ static void test_lights(void **state)
     scene_model_free(model);
 }
 
+// Names are those of one file.
+static void test_names(void **state)
+{
+    (void)state;
+#define SET(size)                                                    \
+    "<Shape><IndexedFaceSet DEF='f' coordIndex='0 1 2'><Coordinate " \
+    "point='0 0 0 " size " 0 0 0 1 0'/></IndexedFaceSet></Shape>"    \
+    "<Transform translation='0 0 1'><Shape><IndexedFaceSet USE='f'/></Shape></Transform>"
+    write_text("named.x3d", FILE_OF(SET("3")));
+    struct scene_model *const model = load_text("d.x3d", FILE_OF(SET("1") "<Inline url='named.x3d'/>"));
+    assert_int_equal(model->triangles_drawn, 4);
+    unsigned wide = 0;
+    for (uint32_t i = 0; i < model->instance_count; i++) {
+        wide += model->meshes[model->instances[i].mesh].bounds_max[0] == 3;
+    }
+    assert_int_equal(wide, 2);
+    scene_model_free(model);
+}
+
 // Textures and files are looked for beside the file that names them.
 static void test_folders(void **state)
 {
@@ -138,8 +157,11 @@ static void test_many_files(void **state)
 }
 
 static const struct CMUnitTest tests[] = {
-    cmocka_unit_test(test_inline_files), cmocka_unit_test(test_lights),
-    cmocka_unit_test(test_folders),      cmocka_unit_test(test_what_is_not_shown),
+    cmocka_unit_test(test_inline_files),
+    cmocka_unit_test(test_lights),
+    cmocka_unit_test(test_names),
+    cmocka_unit_test(test_folders),
+    cmocka_unit_test(test_what_is_not_shown),
     cmocka_unit_test(test_many_files),
 };
 
