@@ -4,19 +4,20 @@
 
 #include "draw/camera/camera.h"
 
-// Blender's z is up; its exports to glTF and Collada have it as y.
+// Blender's z is up; what it exports has the axes in another order, with other signs, as its options say.
 static bool is_start_lamp(const struct scene_model_light *light)
 {
-    static const double start[2][3] = {{4.07624531, 1.00545394, 5.903862},
-                                       {4.07624531, 5.903862, -1.00545394}};
-    bool is_there[2] = {true, true};
+    static const double start[3] = {4.07624531, 1.00545394, 5.903862};
+    bool is_there = light->type == SCENE_LIGHT_POINT;
     for (int c = 0; c < 3; c++) {
-        for (int up = 0; up < 2; up++) {
-            const double off = (double)light->position[c] - start[up][c];
-            is_there[up] = is_there[up] && off < 1e-4 && off > -1e-4;
+        bool has = false;
+        for (int k = 0; k < 3; k++) {
+            const double off = __builtin_fabs((double)light->position[k]) - start[c];
+            has = has || (off < 1e-4 && off > -1e-4);
         }
+        is_there = is_there && has;
     }
-    return light->type == SCENE_LIGHT_POINT && (is_there[0] || is_there[1]);
+    return is_there;
 }
 
 static bool gives_way(const struct scene_model *model)
