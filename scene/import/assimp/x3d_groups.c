@@ -174,8 +174,8 @@ static char *write_use(struct work *work, char *tag, char *close, const char *en
 static bool is_written_again(const char *tag)
 {
     static const char *const nodes[] = {
-        "Shape",  "Appearance", "Material", "ImageTexture", "TextureTransform",
-        "Inline", "Box",        "Sphere",   "Cone",         "Cylinder"};
+        "Shape", "Appearance", "Material", "ImageTexture", "TextureTransform", "Inline",
+        "Box",   "Sphere",     "Cone",     "Cylinder",     "Rectangle2D",      "Disk2D"};
     bool is_node = find_group(tag) != NULL;
     for (size_t i = 0; i < sizeof nodes / sizeof nodes[0]; i++) {
         is_node = is_node || scene_collada_is_tag(tag, nodes[i]);

@@ -30,6 +30,8 @@ scene_x3d_make scene_x3d_make_box;
 scene_x3d_make scene_x3d_make_sphere;
 scene_x3d_make scene_x3d_make_cone;
 scene_x3d_make scene_x3d_make_cylinder;
+scene_x3d_make scene_x3d_make_rectangle;
+scene_x3d_make scene_x3d_make_disk;
 
 /// Points with what they have.
 struct scene_x3d_vertices {

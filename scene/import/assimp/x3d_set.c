@@ -16,7 +16,7 @@ static const struct scene_x3d_property properties[] = {
     {"TextureCoordinate", "point", "TextureCoordinate", SCENE_X3D_PLACES, 2},
 };
 
-#define NO_SOLID "boxes, spheres, cones and cylinders without faces (X3D): not drawn"
+#define NO_SOLID "solids, rectangles and disks without faces (X3D): not drawn"
 
 static const struct scene_x3d_kind kinds[] = {
     {"IndexedFaceSet", SCENE_X3D_POLYGONS, "coordIndex", NULL, true, NULL, NULL, false},
@@ -36,6 +36,8 @@ static const struct scene_x3d_kind kinds[] = {
     {"Sphere", SCENE_X3D_POLYGONS, NULL, NULL, false, scene_x3d_make_sphere, NO_SOLID, true},
     {"Cone", SCENE_X3D_POLYGONS, NULL, NULL, false, scene_x3d_make_cone, NO_SOLID, false},
     {"Cylinder", SCENE_X3D_POLYGONS, NULL, NULL, false, scene_x3d_make_cylinder, NO_SOLID, true},
+    {"Rectangle2D", SCENE_X3D_POLYGONS, NULL, NULL, false, scene_x3d_make_rectangle, NO_SOLID, true},
+    {"Disk2D", SCENE_X3D_POLYGONS, NULL, NULL, false, scene_x3d_make_disk, NO_SOLID, false},
     {"IndexedLineSet", SCENE_X3D_LINES, "coordIndex", NULL, false, NULL, NULL, false},
     {"LineSet", SCENE_X3D_LINES, NULL, "vertexCount", false, NULL, NULL, false},
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Boxes, spheres, cones and cylinders of an X3D, with the texture as the standard lays it on them (ISO/IEC 19775-1
-// 13.3). assimp 5.2.5 lays none on a box, and another one on spheres and cylinders, and lets cones stand on their tips.
-// Solids without a texture it may make itself, but for these.
+// Boxes, spheres, cones, cylinders, rectangles and disks of an X3D, with the texture as the standard lays it on them
+// (ISO/IEC 19775-1 13.3 and 14.3). assimp 5.2.5 lays none on a box, and another one on others, lets cones stand on
+// their tips, and gives disks ten corners. What it makes right without a texture is left to it.
 #include "x3d_made.h"
 
 #include "elementary.h"
@@ -217,4 +217,56 @@ bool scene_x3d_make_cylinder(struct scene_import *import, char *tag, char *close
     }
     scene_x3d_write_vertices(import, &vertices, true, made);
     return made->index.count > 0;
+}
+
+bool scene_x3d_make_rectangle(struct scene_import *import, char *tag, char *close,
+                              struct scene_x3d_made *made)
+{
+    size_t count;
+    double *const size = scene_x3d_numbers_of(import, tag, close, "size", "2 2", &count);
+    const bool is_whole = count >= 2 && is_number(size[0]) && is_number(size[1]);
+    if (is_whole) {
+        struct scene_x3d_vertices vertices = begin(import, 0, made);
+        for (size_t i = 0; i < 4; i++) {
+            const int right = i == 1 || i == 2, up = i >= 2;
+            scene_x3d_add_index(made, i);
+            add_vertex(&vertices, (double[3]){size[0] * (right - 0.5), size[1] * (up - 0.5), 0},
+                       (double[3]){0, 0, 1}, right, up);
+        }
+        scene_x3d_write_vertices(import, &vertices, true, made);
+    }
+    free(size);
+    return is_whole;
+}
+
+bool scene_x3d_make_disk(struct scene_import *import, char *tag, char *close, struct scene_x3d_made *made)
+{
+    const double outer = scene_x3d_number_of(tag, close, "outerRadius", 1),
+                 inner = scene_x3d_number_of(tag, close, "innerRadius", 0);
+    if (!(outer > 0 && inner >= 0 && inner < outer && is_number(outer))) {
+        return false;
+    }
+    struct scene_x3d_vertices vertices = begin(import, 2, made);
+    for (size_t i = 0; i < 2 * SEGMENTS; i++) {
+        const double part = i < SEGMENTS ? 1 : inner / outer;
+        double x, y;
+        find_direction(i % SEGMENTS, &x, &y);
+        x *= part;
+        y *= -part;
+        add_vertex(&vertices, (double[3]){outer * x, outer * y, 0}, (double[3]){0, 0, 1}, 0.5 + x / 2,
+                   0.5 + y / 2);
+    }
+    for (size_t i = 0; i < SEGMENTS; i++) {
+        const size_t next = (i + 1) % SEGMENTS;
+        scene_x3d_add_index(made, i);
+        if (inner > 0) {
+            scene_x3d_add_index(made, next);
+            scene_x3d_add_index(made, next + SEGMENTS);
+            scene_x3d_add_index(made, i + SEGMENTS);
+            scene_x3d_end_face(made);
+        }
+    }
+    vertices.count = inner > 0 ? vertices.count : SEGMENTS;
+    scene_x3d_write_vertices(import, &vertices, true, made);
+    return true;
 }

@@ -76,6 +76,30 @@ static void test_textures(void **state)
           {{-3, -2, 0, 0, -1, 0, 0, 0.5f}},
           {{0, -2, -3, 0, -1, 0, 0.5f, 0}}}},
     };
+    static const struct {
+        const char *solid;
+        unsigned triangles;
+        struct corner corners[4];
+    } flat[] = {
+        {"<Rectangle2D size='4 2'/>",
+         2,
+         {{{-2, -1, 0, 0, 0, 1, 0, 0}},
+          {{2, -1, 0, 0, 0, 1, 1, 0}},
+          {{2, 1, 0, 0, 0, 1, 1, 1}},
+          {{-2, 1, 0, 0, 0, 1, 0, 1}}}},
+        {"<Disk2D outerRadius='2'/>",
+         46,
+         {{{0, 2, 0, 0, 0, 1, 0.5f, 1}},
+          {{-2, 0, 0, 0, 0, 1, 0, 0.5f}},
+          {{0, -2, 0, 0, 0, 1, 0.5f, 0}},
+          {{2, 0, 0, 0, 0, 1, 1, 0.5f}}}},
+        {"<Disk2D outerRadius='2' innerRadius='1'></Disk2D>",
+         96,
+         {{{0, 2, 0, 0, 0, 1, 0.5f, 1}},
+          {{-1, 0, 0, 0, 0, 1, 0.25f, 0.5f}},
+          {{0, -1, 0, 0, 0, 1, 0.5f, 0.25f}},
+          {{2, 0, 0, 0, 0, 1, 1, 0.5f}}}},
+    };
     write_bytes("a.ppm", "P6\n1 1\n255\n\x10\x20\x30", 14);
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         write_format("s.x3d", "<X3D><Scene><Shape>" TEXTURED "%s</Shape></Scene></X3D>", cases[i].solid);
@@ -90,6 +114,18 @@ static void test_textures(void **state)
         }
         scene_model_free(model);
     }
+    for (size_t i = 0; i < sizeof flat / sizeof flat[0]; i++) {
+        write_format("f.x3d", "<X3D><Scene><Shape>" TEXTURED "%s</Shape></Scene></X3D>", flat[i].solid);
+        struct scene_model *const model = load("f.x3d");
+        assert_int_equal(model->unsupported_count + model->warning_count, 0);
+        assert_int_equal(model->triangles_drawn, flat[i].triangles);
+        for (size_t k = 0; k < 4; k++) {
+            if (!has_corner(&model->meshes[0], &flat[i].corners[k])) {
+                fail_msg("flat case %zu: corner %zu is not there", i, k);
+            }
+        }
+        scene_model_free(model);
+    }
 }
 
 // Solids have the parts that they are given. A cone stands on its disk, and without a texture assimp makes the others,
@@ -97,7 +133,7 @@ static void test_textures(void **state)
 static void test_parts(void **state)
 {
     (void)state;
-    static const char told[] = "boxes, spheres, cones and cylinders without faces (X3D): not drawn";
+    static const char told[] = "solids, rectangles and disks without faces (X3D): not drawn";
     static const struct {
         const char *shape;
         unsigned triangles;
@@ -113,6 +149,9 @@ static void test_parts(void **state)
         {"<Shape>" TEXTURED "<Sphere DEF='s'/></Shape><Shape><Sphere USE='s'/></Shape>", 2208 + 1280, -1, 1,
          false},
         {"<Shape><Box DEF='s'/></Shape><Shape>" TEXTURED "<Box USE='s'/></Shape>", 24, -1, 1, false},
+        {"<Shape><Disk2D/></Shape>", 46, -1, 1, false},
+        {"<Shape><Sphere/></Shape><Shape><Disk2D outerRadius='2' innerRadius='2'/></Shape>", 1280, -1, 1,
+         true},
         {"<Shape><Sphere/></Shape><Shape><Cone radius='0' bottomRadius='0'/></Shape>", 1280, -1, 1, true},
         {"<Shape><Sphere/></Shape><Shape><Cone side='false' bottom='false'/></Shape>", 1280, -1, 1, true},
         {"<Shape><Sphere/></Shape><Shape>" TEXTURED "<Box size='2 2'/></Shape>", 1280, -1, 1, true},
