@@ -263,9 +263,6 @@ static const char *write_first(struct scene_import *import, struct scene_edits *
     for (int i = 0; i < SCENE_X3D_PURPOSES; i++) {
         faces->read += set->parts[i].list.length;
     }
-    if (found == SCENE_X3D_OUT_OF_RANGE && !scene_x3d_is_quads(set->kind)) {
-        return NULL; // assimp gives indices of points that are not there, which the file is refused for
-    }
     if (found == SCENE_X3D_FACES && write_set(import, edits, faces, text, set, end)) {
         const struct scene_collada_value name = scene_collada_attribute(set->tag, set->close, "DEF");
         faces->end = (size_t)(set_end - text);

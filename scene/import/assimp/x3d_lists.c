@@ -2,6 +2,7 @@
 // Lists of numbers are split at blanks and commas.
 #include "x3d_lists.h"
 
+#include <inttypes.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -191,7 +192,8 @@ enum scene_x3d_found scene_x3d_find_corners(struct scene_import *import,
     size_t start = 0;
     for (size_t i = 0; i <= indices->count; i++) {
         if (i < indices->count && indices->list[i] >= (int64_t)points) {
-            return SCENE_X3D_OUT_OF_RANGE;
+            scene_import_fail(import, "a %s refers to vertex %" PRId64 " of %zu",
+                              order == SCENE_X3D_LINES ? "line" : "face", indices->list[i], points);
         }
         if (i == indices->count || indices->list[i] < 0) {
             add_run(&work, order, start, i);

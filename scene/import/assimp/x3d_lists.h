@@ -37,7 +37,7 @@ struct scene_x3d_corners {
 };
 
 /// What indices make.
-enum scene_x3d_found { SCENE_X3D_NOTHING, SCENE_X3D_OUT_OF_RANGE, SCENE_X3D_FACES };
+enum scene_x3d_found { SCENE_X3D_NOTHING, SCENE_X3D_FACES };
 
 /// Return the numbers of a list, which has none where its text is NULL.
 struct scene_x3d_numbers scene_x3d_read_numbers(struct scene_import *import, struct scene_collada_value text);
@@ -49,7 +49,8 @@ struct scene_x3d_indices scene_x3d_count_up(struct scene_import *import, struct 
 /// Return an index, or SIZE_MAX where the list has none or it is below 0.
 size_t scene_x3d_index_at(const struct scene_x3d_indices *indices, size_t place);
 bool scene_x3d_same_indices(const struct scene_x3d_indices *a, const struct scene_x3d_indices *b);
-/// Find the corners of all faces, in the order that shows their front if `is_turned` is not set.
+/// Find the corners of all faces, in the order that shows their front if `is_turned` is not set. An index of a point
+/// that is not there ends the import.
 enum scene_x3d_found scene_x3d_find_corners(struct scene_import *import,
                                             const struct scene_x3d_indices *indices,
                                             enum scene_x3d_order order, bool is_turned, size_t points,
