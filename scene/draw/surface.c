@@ -29,7 +29,8 @@ void scene_frame_look(struct scene_frame *frame, const struct scene_camera *came
     for (int i = 0; i < 16; i++) {
         frame->view_projection[i] = (float)view_projection[i];
     }
-    frame->unit = scene_unit_for(camera->znear);
+    // All that is seen lies between a depth of znear and, without a limit, many powers of two more.
+    frame->unit = scene_unit_for(0x1p30 * camera->znear);
     frame->linear_slot = -1;
     frame->orthographic = camera->orthographic;
     frame->light_count = (int32_t)lighting->count;

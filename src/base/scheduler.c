@@ -47,7 +47,8 @@ struct rhw_scheduler {
     _Alignas(RHW_CACHE_LINE) _Atomic uint32_t unfinished;
     // Nanoseconds of the job that threads had tasks. Every thread adds its own once per job.
     _Atomic uint64_t busy_ns;
-    // Threads beside the caller that have had a task of the job, where it has fewer tasks than there are threads.
+    // Threads beside the caller that have had a task of the job, where it has fewer tasks than there are threads. Each
+    // adds itself at its first task; the caller sets it to 0 between jobs.
     _Atomic int guests;
 
     // The caller writes the job's fields between jobs. Threads that go to sleep write `sleepers`.

@@ -267,9 +267,9 @@ static void draw_tile(struct rhw_executor *executor, int tile, int worker)
     }
 }
 
-// Draw one tile. Every worker has its own tiles, which are the same in every frame, and takes tiles of others when it
-// has none left: memory that the same core wrote last costs half as much to write again. There are as many calls as
-// tiles, so that each call finds a tile: fewer than all were taken before it.
+// Draw one tile. Every worker has its own tiles, which are the same in every frame that has a tile for each thread, and
+// takes tiles of others when it has none left: memory that the same core wrote last costs half as much to write again.
+// There are as many calls as tiles, so that each call finds a tile: fewer than all were taken before it.
 static void run_tile(void *user, int index, int worker)
 {
     struct rhw_executor *const executor = user;

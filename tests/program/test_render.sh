@@ -175,6 +175,19 @@ for length in 8.8817841970012523e-16 8.4703294725430034e-22 8.0779356694631609e-
     succeed render any.obj --size 64 -o any.png
     check "a model of $length" "$rhw" compare corner.png any.png --tolerance 0.0157 >"$folder/log/compare"
 done
+for near in 0.01 1e-20; do
+    cat >near.gltf <<EOF
+{"asset": {"version": "2.0"}, "nodes": [{"mesh": 0}, {"camera": 0, "translation": [0, 0, 3]}], "scenes": [{"nodes": [0, 1]}],
+ "cameras": [{"type": "perspective", "perspective": {"yfov": 0.8, "znear": $near}}],
+ "materials": [{"pbrMetallicRoughness": {"metallicFactor": 0.5, "roughnessFactor": 0.3}}],
+ "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "material": 0}]}],
+ "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3", "min": [-1, -1, 0], "max": [1, 1, 0]}],
+ "bufferViews": [{"buffer": 0, "byteLength": 36}],
+ "buffers": [{"byteLength": 36, "uri": "data:;base64,AACAvwAAgL8AAAAAAACAPwAAgL8AAAAAAACAPwAAgD8AAAAA"}]}
+EOF
+    succeed render near.gltf --size 64 -o "near$near.png"
+done
+check "a near plane at 1e-20" "$rhw" compare near0.01.png near1e-20.png --tolerance 0.0157 >"$folder/log/compare"
 
 # Options that must show in the picture.
 differs() { # DESCRIPTION OPTION...

@@ -7,8 +7,8 @@
 
 #include "draw/camera/camera_math.h"
 
-// An alpha below `least_alpha` changes the grey that is behind a model, where no other background is asked for, by some
-// 2 of 255. Over black it shows, as sRGB has many codes there, but what is next to transparent does not set the frame.
+// What has an alpha below `least_alpha` sets no frame. It changes the grey that is behind a model, where no other
+// background is asked for, by some 2 of 255; over black, where sRGB has many codes, it may show.
 enum { GRID = 64 };
 static const float least_alpha = 1.0f / 256;
 

@@ -46,6 +46,11 @@ void scene_import_drop_start_lamp(struct scene_import *import)
         }
     }
     model->light_count = kept;
-    scene_import_warn(import,
-                      "the lamp of Blender's start file: left out, as its camera sees next to nothing");
+    if (lamps == 1) {
+        scene_import_warn(import,
+                          "the lamp of Blender's start file: left out, as its camera sees next to nothing");
+    } else {
+        scene_import_warn(
+            import, "%u lamps of Blender's start file: left out, as its camera sees next to nothing", lamps);
+    }
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // KHR_draco_mesh_compression. What the compressed mesh holds takes the place of the primitive's accessors, which are
 // afterwards read like any other.
+#include <stdlib.h>
 #include <string.h>
 
 #include "draco_decoder.h"
@@ -51,6 +52,7 @@ static bool read_joints(struct scene_gltf *gltf, const struct scene_draco *draco
             memcpy(bytes + i * sizeof joint, &joint, sizeof joint);
         }
     }
+    free(floats);
     return fits;
 }
 

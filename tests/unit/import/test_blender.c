@@ -211,6 +211,7 @@ static void test_exported_start_lamps(void **state)
     assert_int_equal(model->light_count, 1);
     assert_floats(model->lights[0].position, (const float[]){3, 5, -4}, 3, 1e-5f);
     assert_int_equal(model->warning_count, 1);
+    assert_true(has_warning(model, "2 lamps of Blender's start file: left out"));
     scene_model_free(model);
 }
 
