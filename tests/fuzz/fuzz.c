@@ -480,9 +480,25 @@ static void drop_large_files(struct fuzz *fuzz)
     fuzz->file_count = kept;
 }
 
+// Files of X3D show others, which lie beside the mutated one, or are taken away at the end.
+static void lay_shown_files(const struct fuzz *fuzz, bool is_end)
+{
+    for (int i = 0; i < fuzz->file_count; i++) {
+        const struct file *file = &fuzz->files[i];
+        char path[1100];
+        snprintf(path, sizeof path, "..%s", strrchr(file->path, '/'));
+        if (strcmp(extension(file->path), ".x3d") == 0 && is_end) {
+            unlink(path);
+        } else if (strcmp(extension(file->path), ".x3d") == 0) {
+            save(path, file->data, file->size);
+        }
+    }
+}
+
 static void fuzz_models(struct fuzz *fuzz, int count)
 {
     drop_large_files(fuzz);
+    lay_shown_files(fuzz, false);
     if (fuzz->file_count == 0) {
         fprintf(stderr, "fuzz: no seeds\n");
         exit(2);
@@ -505,6 +521,7 @@ static void fuzz_models(struct fuzz *fuzz, int count)
         }
         unlink(path);
     }
+    lay_shown_files(fuzz, true);
 }
 
 int main(int argc, char **argv)

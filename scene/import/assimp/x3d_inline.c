@@ -47,10 +47,11 @@ static struct scene_collada_value find_scene(char *text, size_t size)
         if (close == NULL) {
             break;
         }
-        if (scene_collada_is_tag(tag, "Scene")) {
+        if (scene.text == NULL && scene_collada_is_tag(tag, "Scene")) {
             scene.text = close + 1;
         } else if (scene.text != NULL && scene_collada_is_end(tag, "Scene")) {
             scene.length = (size_t)(tag - scene.text);
+            break;
         }
     }
     return scene;
@@ -93,7 +94,7 @@ static char *read_shown(struct scene_import *import, const struct scene_x3d_docu
         scene_import_warn(import, "file \"%s\", which it shows: is no X3D in XML; not drawn", name);
     } else if (!is_room || more > *document->room) {
         scene_import_unsupported(import, "files that are shown (X3D): not all drawn");
-        scene->text = NULL;
+        *scene = (struct scene_collada_value){NULL, 0};
     } else {
         *document->room -= more;
         scene_assimp_find_gaps_within(import, path);

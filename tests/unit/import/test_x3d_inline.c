@@ -3,6 +3,7 @@
 #include "model_files.h"
 
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 
@@ -156,6 +157,27 @@ static void test_many_files(void **state)
     scene_model_free(model);
 }
 
+// Of files that are too large together the first are drawn. What follows a scene is no part of it.
+static void test_large_files(void **state)
+{
+    (void)state;
+    static const char start[] = "<X3D><Scene>" SHAPE("") "<!--", end[] = "--></Scene><Scene></X3D>";
+    const size_t size = 20000000;
+    char *const text = malloc(size);
+    assert_non_null(text);
+    memset(text, 'x', size);
+    memcpy(text, start, strlen(start));
+    memcpy(text + size - strlen(end), end, strlen(end));
+    write_bytes("large.x3d", text, size);
+    free(text);
+    struct scene_model *const model =
+        load_text("b.x3d", FILE_OF("<Inline url='large.x3d'/><Inline url='large.x3d'/>" SHAPE("")));
+    assert_int_equal(model->triangles_drawn, 2);
+    assert_true(is_unsupported(model, "files that are shown (X3D): not all drawn"));
+    assert_int_equal(model->unsupported_count + model->warning_count, 1);
+    scene_model_free(model);
+}
+
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_inline_files),
     cmocka_unit_test(test_lights),
@@ -163,6 +185,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_folders),
     cmocka_unit_test(test_what_is_not_shown),
     cmocka_unit_test(test_many_files),
+    cmocka_unit_test(test_large_files),
 };
 
 const struct unit_tests test_x3d_inline = UNIT_TESTS(tests, make_directory, remove_directory);
