@@ -37,24 +37,28 @@ static const char *folder_of(struct scene_import *import, const char *path)
     return slash == NULL ? "" : scene_import_string(import, from, (size_t)(slash + 1 - from));
 }
 
-// Return what a scene has. Its text is NULL where there is no scene.
-static struct scene_collada_value find_scene(char *text, size_t size)
+// Return what a scene has. Its text is NULL where there is none, or where its end is not there, which is set.
+static struct scene_collada_value find_scene(char *text, size_t size, bool *is_cut)
 {
-    struct scene_collada_value scene = {NULL, 0};
-    char *close;
+    char *close, *scene = NULL;
     for (char *tag = strchr(text, '<'); tag != NULL; tag = strchr(close, '<')) {
         close = scene_collada_markup_end(tag, text + size);
         if (close == NULL) {
             break;
         }
-        if (scene.text == NULL && scene_collada_is_tag(tag, "Scene")) {
-            scene.text = close + 1;
-        } else if (scene.text != NULL && scene_collada_is_end(tag, "Scene")) {
-            scene.length = (size_t)(tag - scene.text);
-            break;
+        const bool is_scene = scene == NULL && scene_collada_is_tag(tag, "Scene");
+        if (is_scene) {
+            scene = close + 1;
+        }
+        if (is_scene && close[-1] == '/') {
+            return (struct scene_collada_value){scene, 0};
+        }
+        if (scene != NULL && scene_collada_is_end(tag, "Scene")) {
+            return (struct scene_collada_value){scene, (size_t)(tag - scene)};
         }
     }
-    return scene;
+    *is_cut = scene != NULL;
+    return (struct scene_collada_value){NULL, 0};
 }
 
 // Return the text of the file that a tag shows, and what of it is its scene. Return NULL if it is not shown, which is
@@ -86,12 +90,14 @@ static char *read_shown(struct scene_import *import, const struct scene_x3d_docu
     *document->room -= is_room ? LEAST : 0;
     const size_t before = *document->room;
     char *const text = is_room ? scene_x3d_read_document(import, &shown, &size) : NULL;
-    *scene = text == NULL ? (struct scene_collada_value){NULL, 0} : find_scene(text, size);
+    bool is_cut = false;
+    *scene = text == NULL ? (struct scene_collada_value){NULL, 0} : find_scene(text, size, &is_cut);
     // What it shows itself has been counted.
     const size_t counted = before - *document->room,
                  more = scene->length > counted ? scene->length - counted : 0;
     if (is_room && scene->text == NULL) {
-        scene_import_warn(import, "file \"%s\", which it shows: is no X3D in XML; not drawn", name);
+        scene_import_warn(import, "file \"%s\", which it shows: %s; not drawn", name,
+                          is_cut ? "is cut before the end of its scene" : "is no X3D in XML");
     } else if (!is_room || more > *document->room) {
         scene_import_unsupported(import, "files that are shown (X3D): not all drawn");
         *scene = (struct scene_collada_value){NULL, 0};

@@ -115,9 +115,12 @@ static void test_what_is_not_shown(void **state)
         {"<Inline url='\"s.x3d\"'/>", NULL, "files that show each other (X3D): not drawn again", 1},
         {"<Inline url='\"one.x3d\"'/>", NULL, "files that show each other (X3D): not drawn again", 3},
         {"<Inline url='\"empty.x3d\"'/>", NULL, NULL, 1},
+        {"<Inline url='\"cut.x3d\"'/>",
+         "file \"cut.x3d\", which it shows: is cut before the end of its scene; not drawn", NULL, 1},
     };
     write_text("m.wrl", "#VRML V2.0 utf8\n");
     write_text("empty.x3d", "<X3D><Scene/></X3D>");
+    write_text("cut.x3d", "<X3D><Scene><Group/>" SHAPE("") "<Shape><Box");
     write_text("one.x3d", FILE_OF(SHAPE("") "<Inline url='\"two.x3d\"'/>"));
     write_text("two.x3d", FILE_OF(SHAPE("") "<Group><Inline url='\"one.x3d\"'/></Group>"));
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
