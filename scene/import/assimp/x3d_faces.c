@@ -184,12 +184,19 @@ static bool is_left(const struct scene_x3d_part *part)
     return part->is_lacking && part->property->purpose != SCENE_X3D_NORMALS;
 }
 
+// Return how many bytes of sets are still written. Solids, of which a file may have thousands, have more.
+static size_t room_for(const struct scene_x3d_faces *faces, const struct scene_x3d_kind *kind)
+{
+    const size_t largest = faces->largest + (kind->is_solid ? (size_t)1 << 25 : 0);
+    return faces->written < largest ? largest - faces->written : 0;
+}
+
 // Write a set and what belongs to its corners. Return false if all would become too large.
 static bool write_set(struct scene_import *import, struct scene_edits *edits, struct scene_x3d_faces *faces,
                       const char *text, const struct scene_x3d_set *set, const char *end)
 {
     struct out outs[1 + SCENE_X3D_PURPOSES] = {{.import = import}};
-    size_t room = faces->written < faces->largest ? faces->largest - faces->written : 0;
+    size_t room = room_for(faces, set->kind);
     bool is_full = false;
     for (int i = 0; i < 1 + SCENE_X3D_PURPOSES && !is_full; i++) {
         struct out *const out = &outs[i];
@@ -257,7 +264,7 @@ static const char *write_first(struct scene_import *import, struct scene_edits *
         return write_use(import, edits, faces, at, set, use);
     }
     const char *const set_end = scene_x3d_find_parts(&faces->lists, text, set, end);
-    const bool is_room = faces->written < faces->largest && faces->read < faces->most_read;
+    const bool is_room = room_for(faces, set->kind) > 0 && faces->read < faces->most_read;
     const enum scene_x3d_found found =
         set_end == NULL || !is_room ? SCENE_X3D_NOTHING : scene_x3d_read_set(import, set);
     for (int i = 0; i < SCENE_X3D_PURPOSES; i++) {
@@ -269,10 +276,18 @@ static const char *write_first(struct scene_import *import, struct scene_edits *
         scene_x3d_add_name(import, &faces->sets, (struct scene_x3d_name){.name = name, .size = 1});
         return scene_x3d_is_lines(set->kind) ? LINES : FACES;
     }
+    const bool is_full = found == SCENE_X3D_FACES || (set_end != NULL && !is_room);
+    if (set->kind->is_solid && is_full) {
+        scene_import_unsupported(import, "solids, rectangles and disks after very many (X3D): textures drawn "
+                                         "otherwise, cones upside down, disks with ten corners");
+        return NULL;
+    }
     if (scene_x3d_is_quads(set->kind)) {
         scene_import_unsupported(import, "quads: not drawn");
     } else if (set->kind->make != NULL) {
-        scene_import_unsupported(import, "%s", set->kind->told);
+        scene_import_unsupported(import, "%s",
+                                 is_full ? "grids and extrusions after very large ones (X3D): not drawn"
+                                         : set->kind->told);
     } else if (found == SCENE_X3D_FACES || (!is_room && set->parts[SCENE_X3D_POINTS].list.text != NULL)) {
         scene_import_unsupported(import, "sets of points that many use (X3D): not all drawn");
     } else if (set->parts[SCENE_X3D_POINTS].property != NULL &&

@@ -16,30 +16,30 @@ static const struct scene_x3d_property properties[] = {
     {"TextureCoordinate", "point", "TextureCoordinate", SCENE_X3D_PLACES, 2},
 };
 
-#define NO_SOLID "solids, rectangles and disks without faces (X3D): not drawn"
+static const char no_solid[] = "solids, rectangles and disks without faces (X3D): not drawn";
 
 static const struct scene_x3d_kind kinds[] = {
-    {"IndexedFaceSet", SCENE_X3D_POLYGONS, "coordIndex", NULL, true, NULL, NULL, false},
-    {"IndexedTriangleSet", SCENE_X3D_TRIANGLES, "index", NULL, false, NULL, NULL, false},
-    {"IndexedTriangleFanSet", SCENE_X3D_FANS, "index", NULL, false, NULL, NULL, false},
-    {"IndexedTriangleStripSet", SCENE_X3D_STRIPS, "index", NULL, false, NULL, NULL, false},
-    {"IndexedQuadSet", SCENE_X3D_QUADS, "index", NULL, false, NULL, NULL, false},
-    {"TriangleSet", SCENE_X3D_TRIANGLES, NULL, NULL, false, NULL, NULL, false},
-    {"TriangleFanSet", SCENE_X3D_FANS, NULL, "fanCount", false, NULL, NULL, false},
-    {"TriangleStripSet", SCENE_X3D_STRIPS, NULL, "stripCount", false, NULL, NULL, false},
-    {"QuadSet", SCENE_X3D_QUADS, NULL, NULL, false, NULL, NULL, false},
+    {"IndexedFaceSet", SCENE_X3D_POLYGONS, "coordIndex", NULL, true, NULL, NULL, false, false},
+    {"IndexedTriangleSet", SCENE_X3D_TRIANGLES, "index", NULL, false, NULL, NULL, false, false},
+    {"IndexedTriangleFanSet", SCENE_X3D_FANS, "index", NULL, false, NULL, NULL, false, false},
+    {"IndexedTriangleStripSet", SCENE_X3D_STRIPS, "index", NULL, false, NULL, NULL, false, false},
+    {"IndexedQuadSet", SCENE_X3D_QUADS, "index", NULL, false, NULL, NULL, false, false},
+    {"TriangleSet", SCENE_X3D_TRIANGLES, NULL, NULL, false, NULL, NULL, false, false},
+    {"TriangleFanSet", SCENE_X3D_FANS, NULL, "fanCount", false, NULL, NULL, false, false},
+    {"TriangleStripSet", SCENE_X3D_STRIPS, NULL, "stripCount", false, NULL, NULL, false, false},
+    {"QuadSet", SCENE_X3D_QUADS, NULL, NULL, false, NULL, NULL, false, false},
     {"ElevationGrid", SCENE_X3D_POLYGONS, NULL, NULL, true, scene_x3d_make_grid,
-     "grids without faces or without all of their heights (X3D): not drawn", false},
+     "grids without faces or without all of their heights (X3D): not drawn", false, false},
     {"Extrusion", SCENE_X3D_POLYGONS, NULL, NULL, true, scene_x3d_make_extrusion,
-     "extrusions without faces, or with very many (X3D): not drawn", false},
-    {"Box", SCENE_X3D_POLYGONS, NULL, NULL, false, scene_x3d_make_box, NO_SOLID, true},
-    {"Sphere", SCENE_X3D_POLYGONS, NULL, NULL, false, scene_x3d_make_sphere, NO_SOLID, true},
-    {"Cone", SCENE_X3D_POLYGONS, NULL, NULL, false, scene_x3d_make_cone, NO_SOLID, false},
-    {"Cylinder", SCENE_X3D_POLYGONS, NULL, NULL, false, scene_x3d_make_cylinder, NO_SOLID, true},
-    {"Rectangle2D", SCENE_X3D_POLYGONS, NULL, NULL, false, scene_x3d_make_rectangle, NO_SOLID, true},
-    {"Disk2D", SCENE_X3D_POLYGONS, NULL, NULL, false, scene_x3d_make_disk, NO_SOLID, false},
-    {"IndexedLineSet", SCENE_X3D_LINES, "coordIndex", NULL, false, NULL, NULL, false},
-    {"LineSet", SCENE_X3D_LINES, NULL, "vertexCount", false, NULL, NULL, false},
+     "extrusions without faces, or with very many (X3D): not drawn", false, false},
+    {"Box", SCENE_X3D_POLYGONS, NULL, NULL, false, scene_x3d_make_box, no_solid, true, true},
+    {"Sphere", SCENE_X3D_POLYGONS, NULL, NULL, false, scene_x3d_make_sphere, no_solid, true, true},
+    {"Cone", SCENE_X3D_POLYGONS, NULL, NULL, false, scene_x3d_make_cone, no_solid, false, true},
+    {"Cylinder", SCENE_X3D_POLYGONS, NULL, NULL, false, scene_x3d_make_cylinder, no_solid, true, true},
+    {"Rectangle2D", SCENE_X3D_POLYGONS, NULL, NULL, false, scene_x3d_make_rectangle, no_solid, true, true},
+    {"Disk2D", SCENE_X3D_POLYGONS, NULL, NULL, false, scene_x3d_make_disk, no_solid, false, true},
+    {"IndexedLineSet", SCENE_X3D_LINES, "coordIndex", NULL, false, NULL, NULL, false, false},
+    {"LineSet", SCENE_X3D_LINES, NULL, "vertexCount", false, NULL, NULL, false, false},
 };
 
 const struct scene_x3d_property *scene_x3d_find_property(const char *tag)

@@ -23,6 +23,7 @@ struct scene_x3d_kind {
     scene_x3d_make *make; ///< NULL where its points are in the file
     const char *told;     ///< what is told where nothing is made
     bool is_for_textures; ///< without a texture assimp makes it right
+    bool is_solid;        ///< assimp makes it too, in another way
 };
 
 /// What a set has of one property.

@@ -4,6 +4,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #define TEXTURED "<Appearance><ImageTexture url='\"a.ppm\"'/></Appearance>"
@@ -189,10 +190,38 @@ static void test_plain_cone(void **state)
     scene_model_free(model);
 }
 
+// Solids after very many are drawn as assimp makes them, and those of which assimp makes nothing are told as too many.
+static void test_many(void **state)
+{
+    (void)state;
+    enum { SPHERES = 600 };
+    static const char sphere[] = "<Shape>" TEXTURED "<Sphere/></Shape>";
+    char *const shapes = malloc(SPHERES * strlen(sphere) + 1), *end = shapes;
+    assert_non_null(shapes);
+    for (int i = 0; i < SPHERES; i++) {
+        end += sprintf(end, "%s", sphere);
+    }
+    write_bytes("a.ppm", "P6\n1 1\n255\n\x10\x20\x30", 14);
+    write_format("m.x3d",
+                 "<X3D><Scene>%s<Shape><Cone/></Shape><Shape><Disk2D/></Shape><Shape><Extrusion/></Shape>"
+                 "</Scene></X3D>",
+                 shapes);
+    free(shapes);
+    struct scene_model *const model = load("m.x3d");
+    assert_int_equal(model->instance_count, SPHERES + 2);
+    assert_true(model->triangles_drawn > 520 * 2208 && model->triangles_drawn < 550 * 2208 + 50 * 1280);
+    assert_true(is_unsupported(model, "solids, rectangles and disks after very many (X3D): textures drawn "
+                                      "otherwise, cones upside down, disks with ten corners"));
+    assert_true(is_unsupported(model, "grids and extrusions after very large ones (X3D): not drawn"));
+    assert_int_equal(model->unsupported_count + model->warning_count, 2);
+    scene_model_free(model);
+}
+
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_textures),
     cmocka_unit_test(test_parts),
     cmocka_unit_test(test_plain_cone),
+    cmocka_unit_test(test_many),
 };
 
 const struct unit_tests test_x3d_solids = UNIT_TESTS(tests, make_directory, remove_directory);
