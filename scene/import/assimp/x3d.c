@@ -73,6 +73,7 @@ static char *write_tags(struct scene_import *import, const struct scene_x3d_docu
         if (close == NULL) {
             break;
         }
+        scene_x3d_write_appearance(import, &edits, &materials, text, tag, close);
         if (strncmp(tag, "<!---->", 7) == 0) { // a comment that assimp takes for a node
             scene_edits_add_string(import, &edits, (size_t)(tag + 4 - text), 0, SCENE_X3D_FILLER);
         } else if (!write_metadata(import, &edits, text, tag, close) &&

@@ -99,6 +99,21 @@ static const char *find_texture(const char *tag)
     return NULL;
 }
 
+void scene_x3d_write_appearance(struct scene_import *import, struct scene_edits *edits,
+                                struct scene_x3d_materials *materials, const char *text, char *tag,
+                                char *close)
+{
+    if (scene_collada_is_tag(tag, "Shape")) {
+        materials->lacks_appearance =
+            close[-1] != '/' && scene_collada_attribute(tag, close, "USE").text == NULL;
+    } else if (scene_collada_is_tag(tag, "Appearance")) {
+        materials->lacks_appearance = false;
+    } else if (materials->lacks_appearance && scene_collada_is_end(tag, "Shape")) {
+        scene_edits_add_string(import, edits, (size_t)(tag - text), 0, "<Appearance/>");
+        materials->lacks_appearance = false;
+    }
+}
+
 bool scene_assimp_write_material(struct scene_import *import, struct scene_edits *edits,
                                  struct scene_x3d_materials *materials, const struct scene_x3d_tag *found)
 {

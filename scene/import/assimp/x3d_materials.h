@@ -12,6 +12,7 @@
 struct scene_x3d_materials {
     bool is_open, is_unlit; ///< within a material, and one without light
     bool is_cut;            ///< a texture has no end
+    bool lacks_appearance;  ///< within a shape that has had none so far
 };
 
 /// A tag of a document, which is from `text` to `end`.
@@ -20,6 +21,11 @@ struct scene_x3d_tag {
     char *tag, **close;
 };
 
+/// Write an empty appearance in front of the end of a shape that has none: assimp would take the first material of the
+/// file, which may be that of any other shape.
+void scene_x3d_write_appearance(struct scene_import *import, struct scene_edits *edits,
+                                struct scene_x3d_materials *materials, const char *text, char *tag,
+                                char *close);
 /// Write a tag of a material of X3D 4 as that of X3D 3. Leave out a texture in one that is not that of its colour, and
 /// move `close` to before its end tag. Return false if it is another tag, or one of a texture that is used. Tell what
 /// is lost.

@@ -64,6 +64,28 @@ static void test_materials(void **state)
     scene_model_free(model);
 }
 
+// A shape without an appearance has no colour of another one, in front of it or behind.
+static void test_shapes_without_appearance(void **state)
+{
+    (void)state;
+    static const char points[] = "<IndexedFaceSet coordIndex='0 1 2 -1'><Coordinate "
+                                 "point='0 0 0 1 0 0 0 1 0'/></IndexedFaceSet>";
+    write_format("w.x3d",
+                 "<X3D><Scene><Shape DEF='s'><!-- <Appearance/> -->%s</Shape>"
+                 "<Shape><Appearance><Material diffuseColor='1 0 0'/></Appearance>%s</Shape>"
+                 "<Shape>%s</Shape ><Shape/><Shape USE='s'/><Shape USE='s'></Shape></Scene></X3D>",
+                 points, points, points);
+    struct scene_model *const model = load("w.x3d");
+    unsigned red = 0;
+    assert_int_equal(model->mesh_count, 5);
+    for (uint32_t i = 0; i < model->mesh_count; i++) {
+        red += model->materials[model->meshes[i].material].base_color[1] == 0;
+    }
+    assert_int_equal(red, 1);
+    assert_int_equal(model->unsupported_count + model->warning_count, 0);
+    scene_model_free(model);
+}
+
 // The alpha of a texture is that of its surface, in AC3D too.
 static void test_alpha_of_textures(void **state)
 {
@@ -280,6 +302,7 @@ static void test_usual_places(void **state)
 
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_materials),
+    cmocka_unit_test(test_shapes_without_appearance),
     cmocka_unit_test(test_alpha_of_textures),
     cmocka_unit_test(test_textures_of_materials),
     cmocka_unit_test(test_textures_that_are_used_again),
