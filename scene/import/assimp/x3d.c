@@ -64,8 +64,10 @@ static char *write_tags(struct scene_import *import, const struct scene_x3d_docu
                                                   size, document->outer != NULL);
     struct scene_edits edits = {0};
     // Many sets may use one list of points, which is read for each, and which each may have all of.
-    const size_t room = (size_t)1 << 25, per_byte = 8, most_read = (size_t)1 << 28;
-    struct scene_x3d_faces faces = {.largest = room + per_byte * *size, .most_read = most_read + *size};
+    const size_t per_byte = 8;
+    document->room->sets.largest += per_byte * *size;
+    document->room->sets.most_read += *size;
+    struct scene_x3d_faces faces = {.room = &document->room->sets};
     struct scene_x3d_materials materials = {0};
     char *close;
     for (char *tag = strchr(text, '<'); tag != NULL; tag = strchr(close, '<')) {
@@ -133,6 +135,8 @@ char *scene_x3d_read_document(struct scene_import *import, const struct scene_x3
         free(text);
         return NULL;
     }
+    const size_t counted = document->outer == NULL ? 0 : *size;
+    document->room->read -= counted < document->room->read ? counted : document->room->read;
     return write_tags(import, document, text, size);
 }
 
@@ -167,7 +171,11 @@ static char *drop_names(struct scene_import *import, char *text, size_t *size)
 char *scene_assimp_x3d(struct scene_import *import, const struct scene_assimp_unknowns *unknowns,
                        size_t *size)
 {
-    size_t room = (size_t)1 << 25;
+    struct scene_x3d_room room = {
+        .shown = (size_t)1 << 25,
+        .read = (size_t)1 << 28,
+        .sets = {.largest = (size_t)1 << 25, .most_read = (size_t)1 << 28},
+    };
     const struct scene_x3d_document document = {import->model.path, "", NULL, &room};
     char *text =
         strcasecmp(import->ending, "x3d") == 0 ? scene_x3d_read_document(import, &document, size) : NULL;

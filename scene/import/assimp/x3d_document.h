@@ -4,13 +4,21 @@
 #define SCENE_IMPORT_X3D_DOCUMENT_H
 
 #include "edits.h"
+#include "x3d_faces.h"
+
+/// What a model and all files that it shows may have together.
+struct scene_x3d_room {
+    size_t shown; ///< bytes that files which are shown may still have
+    size_t read;  ///< bytes that may still be read for them, also of those that are not drawn
+    struct scene_x3d_sets_room sets;
+};
 
 struct scene_x3d_document {
     const char *path;
     const char
         *folder; ///< its folder as seen from that of the model, with a slash at its end; "" for the same one
     const struct scene_x3d_document *outer; ///< the document that shows it; NULL for the model
-    size_t *room; ///< bytes that the documents which are shown may still have, all together
+    struct scene_x3d_room *room;
 };
 
 /// Return the text of a document as assimp can read it, a 0 behind it. Return NULL if it is no X3D.

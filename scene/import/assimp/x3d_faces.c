@@ -187,8 +187,8 @@ static bool is_left(const struct scene_x3d_part *part)
 // Return how many bytes of sets are still written. Solids, of which a file may have thousands, have more.
 static size_t room_for(const struct scene_x3d_faces *faces, const struct scene_x3d_kind *kind)
 {
-    const size_t largest = faces->largest + (kind->is_solid ? (size_t)1 << 25 : 0);
-    return faces->written < largest ? largest - faces->written : 0;
+    const size_t largest = faces->room->largest + (kind->is_solid ? (size_t)1 << 25 : 0);
+    return faces->room->written < largest ? largest - faces->room->written : 0;
 }
 
 // Write a set and what belongs to its corners. Return false if all would become too large.
@@ -215,7 +215,7 @@ static bool write_set(struct scene_import *import, struct scene_edits *edits, st
         if (is_full) {
             free(outs[i].text);
         } else if (outs[i].text != NULL) {
-            faces->written += outs[i].size;
+            faces->room->written += outs[i].size;
             scene_edits_add(import, edits,
                             (struct scene_edit){(size_t)(tag - text), (size_t)(close - tag) + 1, outs[i].text,
                                                 outs[i].size});
@@ -264,11 +264,12 @@ static const char *write_first(struct scene_import *import, struct scene_edits *
         return write_use(import, edits, faces, at, set, use);
     }
     const char *const set_end = scene_x3d_find_parts(&faces->lists, text, set, end);
-    const bool is_room = room_for(faces, set->kind) > 0 && faces->read < faces->most_read;
+    const bool is_room = room_for(faces, set->kind) > 0 && faces->room->read < faces->room->most_read &&
+                         (faces->room->full & scene_x3d_kind_bit(set->kind)) == 0;
     const enum scene_x3d_found found =
         set_end == NULL || !is_room ? SCENE_X3D_NOTHING : scene_x3d_read_set(import, set);
     for (int i = 0; i < SCENE_X3D_PURPOSES; i++) {
-        faces->read += set->parts[i].list.length;
+        faces->room->read += set->parts[i].list.length;
     }
     if (found == SCENE_X3D_FACES && write_set(import, edits, faces, text, set, end)) {
         const struct scene_collada_value name = scene_collada_attribute(set->tag, set->close, "DEF");
@@ -277,6 +278,9 @@ static const char *write_first(struct scene_import *import, struct scene_edits *
         return scene_x3d_is_lines(set->kind) ? LINES : FACES;
     }
     const bool is_full = found == SCENE_X3D_FACES || (set_end != NULL && !is_room);
+    if (is_full && set->kind->make != NULL) {
+        faces->room->full |= scene_x3d_kind_bit(set->kind);
+    }
     if (set->kind->is_solid && is_full) {
         scene_import_unsupported(import, "solids, rectangles and disks after very many (X3D): textures drawn "
                                          "otherwise, cones upside down, disks with ten corners");
@@ -315,7 +319,8 @@ static void write_list(struct scene_import *import, struct scene_edits *edits, s
         scene_x3d_add_name(import, &faces->lists,
                            (struct scene_x3d_name){name, (size_t)(list.text - text), list.length});
     }
-    const size_t room = faces->written < faces->largest ? faces->largest - faces->written : 0;
+    const size_t room =
+        faces->room->written < faces->room->largest ? faces->room->largest - faces->room->written : 0;
     if (use.text != NULL && (size_t)(tag - text) > faces->end && list.length <= room) {
         struct out out = {.import = import, .most = SIZE_MAX};
         write_string(&out, property->list);
@@ -326,7 +331,7 @@ static void write_list(struct scene_import *import, struct scene_edits *edits, s
         scene_edits_add(import, edits,
                         (struct scene_edit){(size_t)(first - text),
                                             (size_t)(use.text + use.length + 1 - first), out.text, out.size});
-        faces->written += out.size;
+        faces->room->written += out.size;
     }
 }
 

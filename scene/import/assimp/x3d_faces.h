@@ -9,14 +9,20 @@
 
 struct aiMesh;
 
-/// What is kept between the tags of a document. At its beginning all but `largest` and `most_read` is zero.
-struct scene_x3d_faces {
+/// What the sets of a model have, with those of all files that it shows.
+struct scene_x3d_sets_room {
     size_t written, largest; ///< bytes of all sets that were written, and how many they may be
     size_t read, most_read;  ///< bytes of their lists, as often as one was read, and how many they may be
-    size_t end;              ///< where the set ends that was written last
-    size_t open;             ///< the sets that are open; within another one none is written
-    bool is_textured;        ///< the shape that began last has a texture
-    const char *end_name;    ///< what the outermost is called at its end; NULL where it keeps its name
+    unsigned full; ///< the bits of kinds of which one was made and became too large: no more are made
+};
+
+/// What is kept between the tags of a document. At its beginning all but `room` is zero.
+struct scene_x3d_faces {
+    struct scene_x3d_sets_room *room;
+    size_t end;           ///< where the set ends that was written last
+    size_t open;          ///< the sets that are open; within another one none is written
+    bool is_textured;     ///< the shape that began last has a texture
+    const char *end_name; ///< what the outermost is called at its end; NULL where it keeps its name
     struct scene_x3d_names
         lists; ///< points, normals, colours and texture coordinates: where their numbers stand
     struct scene_x3d_names sets; ///< their size is 1 where the set was written, and 0 where it was left out

@@ -85,24 +85,26 @@ static char *read_shown(struct scene_import *import, const struct scene_x3d_docu
         scene_import_unsupported(import, "files that show each other (X3D): not drawn again");
         return NULL;
     }
-    const struct scene_x3d_document shown = {path, folder_of(import, path), document, document->room};
-    const bool is_room = depth < DEEPEST && *document->room >= LEAST;
-    *document->room -= is_room ? LEAST : 0;
-    const size_t before = *document->room;
+    struct scene_x3d_room *const room = document->room;
+    const struct scene_x3d_document shown = {path, folder_of(import, path), document, room};
+    const bool is_room = depth < DEEPEST && room->shown >= LEAST && room->read > 0;
+    room->shown -= is_room ? LEAST : 0;
+    const size_t before = room->shown;
     char *const text = is_room ? scene_x3d_read_document(import, &shown, &size) : NULL;
     bool is_cut = false;
     *scene = text == NULL ? (struct scene_collada_value){NULL, 0} : find_scene(text, size, &is_cut);
-    // What it shows itself has been counted.
-    const size_t counted = before - *document->room,
-                 more = scene->length > counted ? scene->length - counted : 0;
+    // What it shows itself has been counted. What stands around its scene is read and made as well.
+    const size_t whole = text == NULL ? 0 : size, counted = before - room->shown,
+                 more = whole > counted ? whole - counted : 0;
+    room->read -= whole < room->read ? whole : room->read;
     if (is_room && scene->text == NULL) {
         scene_import_warn(import, "file \"%s\", which it shows: %s; not drawn", name,
                           is_cut ? "is cut before the end of its scene" : "is no X3D in XML");
-    } else if (!is_room || more > *document->room) {
+    } else if (!is_room || more > room->shown) {
         scene_import_unsupported(import, "files that are shown (X3D): not all drawn");
         *scene = (struct scene_collada_value){NULL, 0};
     } else {
-        *document->room -= more;
+        room->shown -= more;
         scene_assimp_find_gaps_within(import, path);
     }
     if (scene->text == NULL) {

@@ -62,6 +62,11 @@ const struct scene_x3d_kind *scene_x3d_find_kind(const char *tag)
     return NULL;
 }
 
+unsigned scene_x3d_kind_bit(const struct scene_x3d_kind *kind)
+{
+    return 1u << (kind - kinds); // there are fewer than 32
+}
+
 bool scene_x3d_is_quads(const struct scene_x3d_kind *kind)
 {
     return kind->order == SCENE_X3D_QUADS;

@@ -52,6 +52,8 @@ struct scene_x3d_set {
 /// Return the property, or the kind of set, that a tag is. Return NULL if it is none.
 const struct scene_x3d_property *scene_x3d_find_property(const char *tag);
 const struct scene_x3d_kind *scene_x3d_find_kind(const char *tag);
+/// Return a bit that no other kind has.
+unsigned scene_x3d_kind_bit(const struct scene_x3d_kind *kind);
 bool scene_x3d_is_quads(const struct scene_x3d_kind *kind);
 bool scene_x3d_is_lines(const struct scene_x3d_kind *kind);
 /// Return the list of a property, or of the one of `lists` that it uses again, which count from `text`. Its text is

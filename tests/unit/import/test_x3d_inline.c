@@ -181,6 +181,30 @@ static void test_large_files(void **state)
     scene_model_free(model);
 }
 
+// Files that are made large, also by what stands outside of their scenes, have room together.
+static void test_made_files(void **state)
+{
+    (void)state;
+    enum { POINTS = 320 };
+    char spine[POINTS * 10] = "", section[POINTS * 4] = "";
+    for (int i = 0; i < POINTS; i++) {
+        snprintf(spine + strlen(spine), sizeof spine - strlen(spine), "0 %d 0 ", i);
+        snprintf(section + strlen(section), sizeof section - strlen(section), "%d %d ", i % 2, i % 3);
+    }
+    write_format("made.x3d",
+                 "<X3D><Shape><Extrusion crossSection='%s' spine='%s'/></Shape><Scene>" SHAPE("") "</Scene>"
+                                                                                                  "</X3D>",
+                 section, spine);
+    write_text("m.x3d", FILE_OF(SHAPE("") "<Inline url='made.x3d'/><Inline url='made.x3d'/><Inline "
+                                          "url='made.x3d'/><Inline url='made.x3d'/><Inline url='made.x3d'/>"
+                                          "<Inline url='made.x3d'/><Inline url='made.x3d'/>"));
+    struct scene_model *const model = load("m.x3d");
+    assert_int_equal(model->triangles_drawn, 8);
+    assert_true(is_unsupported(model, "grids and extrusions after very large ones (X3D): not drawn"));
+    assert_int_equal(model->unsupported_count + model->warning_count, 1);
+    scene_model_free(model);
+}
+
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_inline_files),
     cmocka_unit_test(test_lights),
@@ -189,6 +213,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_what_is_not_shown),
     cmocka_unit_test(test_many_files),
     cmocka_unit_test(test_large_files),
+    cmocka_unit_test(test_made_files),
 };
 
 const struct unit_tests test_x3d_inline = UNIT_TESTS(tests, make_directory, remove_directory);
