@@ -383,7 +383,7 @@ static void cut_polygon(void *user, const float (*positions)[3], const uint32_t 
 
 // Read what the import is about. Return NULL if assimp cannot.
 static const struct aiScene *read_source(struct scene_import *import, const struct scene_assimp_exact *exact,
-                                         const struct scene_assimp_unknowns *unknowns)
+                                         struct scene_assimp_unknowns *unknowns)
 {
     struct scene_assimp_source source = {.import = import, .exact = exact, .unknowns = unknowns};
     struct aiPropertyStore *properties = aiCreatePropertyStore();
@@ -402,7 +402,9 @@ static const struct aiScene *read_source(struct scene_import *import, const stru
         scene = aiApplyPostProcessing(scene,
                                       aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_GenUVCoords);
     }
-    free(source.changed);
+    if (source.changed != unknowns->text) {
+        free(source.changed);
+    }
     system_memory_limit_restore(before);
     scene_import_enter(import, NULL, "");
     aiReleasePropertyStore(properties);
@@ -417,6 +419,7 @@ static const struct aiScene *read_posed(struct scene_import *import, struct scen
     while (scene == NULL && scene_assimp_leave_out(import, aiGetErrorString(), &unknowns)) {
         scene = read_source(import, exact, &unknowns);
     }
+    free(unknowns.text);
     if (scene != NULL && scene->mRootNode == NULL) {
         scene_import_fail(import, "has no nodes");
     }

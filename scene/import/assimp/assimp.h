@@ -56,7 +56,9 @@ struct scene_assimp_unknown {
 };
 struct scene_assimp_unknowns {
     struct scene_assimp_unknown list[SCENE_ASSIMP_UNKNOWNS];
-    unsigned count;
+    unsigned count, blanked; // `blanked` of them are no longer in the text
+    char *text;              // the file as assimp can read it, a 0 behind it; NULL before it is read
+    size_t size;
 };
 
 struct scene_blender_shadings;
@@ -67,7 +69,7 @@ void scene_assimp_look_at_blender(struct scene_import *import, struct scene_blen
 struct scene_assimp_source {
     struct scene_import *import;
     const struct scene_assimp_exact *exact;
-    const struct scene_assimp_unknowns *unknowns; // nodes that it gets the file without
+    struct scene_assimp_unknowns *unknowns; // nodes that it gets the file without
     // What the model becomes for assimp, which opens it several times. NULL: it is read as it is.
     char *changed;
     size_t changed_size;
@@ -90,9 +92,9 @@ char *scene_assimp_fbx(struct scene_import *import, size_t *size);
 /// Return the bytes of a 3DS as assimp can read it: without keys that would tear its meshes apart, with the smoothing
 /// groups that its faces lack, and with a chunk in place of zeros. Return NULL if it is right as it is, or no 3DS.
 char *scene_assimp_3ds(struct scene_import *import, size_t *size);
-/// Return the text of an X3D as assimp can read it, a 0 behind it. Return NULL if the file is none.
-char *scene_assimp_x3d(struct scene_import *import, const struct scene_assimp_unknowns *unknowns,
-                       size_t *size);
+/// Return the text of an X3D as assimp can read it, a 0 behind it, which `unknowns` keeps. Return NULL if the file is
+/// none.
+char *scene_assimp_x3d(struct scene_import *import, struct scene_assimp_unknowns *unknowns, size_t *size);
 /// Hide the proxies of an X3D. Return the text, which may be another one by then. A 0 follows it.
 char *scene_assimp_hide_proxies(struct scene_import *import, char *text, size_t *size);
 /// Add the node that assimp has refused an X3D for, by its error, and tell of it. Return false if it is for another

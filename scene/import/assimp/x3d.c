@@ -168,8 +168,7 @@ static char *drop_names(struct scene_import *import, char *text, size_t *size)
     return scene_edits_replace(import, &edits, text, size);
 }
 
-char *scene_assimp_x3d(struct scene_import *import, const struct scene_assimp_unknowns *unknowns,
-                       size_t *size)
+char *scene_assimp_x3d(struct scene_import *import, struct scene_assimp_unknowns *unknowns, size_t *size)
 {
     struct scene_x3d_room room = {
         .shown = (size_t)1 << 25,
@@ -177,13 +176,16 @@ char *scene_assimp_x3d(struct scene_import *import, const struct scene_assimp_un
         .sets = {.largest = (size_t)1 << 25, .most_read = (size_t)1 << 28},
     };
     const struct scene_x3d_document document = {import->model.path, "", NULL, &room};
-    char *text =
-        strcasecmp(import->ending, "x3d") == 0 ? scene_x3d_read_document(import, &document, size) : NULL;
-    text = text == NULL ? NULL : drop_names(import, text, size);
-    for (unsigned i = 0; text != NULL && i < unknowns->count; i++) {
-        blank_nodes(text, *size, &unknowns->list[i]); // assimp names the parents of nodes as they are written
+    if (unknowns->text == NULL && strcasecmp(import->ending, "x3d") == 0) {
+        char *const text = scene_x3d_read_document(import, &document, &unknowns->size);
+        unknowns->text = text == NULL ? NULL : drop_names(import, text, &unknowns->size);
     }
-    return text;
+    while (unknowns->text != NULL && unknowns->blanked < unknowns->count) {
+        // assimp names the parents of nodes as they are written
+        blank_nodes(unknowns->text, unknowns->size, &unknowns->list[unknowns->blanked++]);
+    }
+    *size = unknowns->size;
+    return unknowns->text;
 }
 
 bool scene_assimp_leave_out(struct scene_import *import, const char *error,
