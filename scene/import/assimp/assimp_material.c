@@ -8,6 +8,7 @@
 #include "elementary.h"
 #include "assimp.h"
 #include "import/builder/find_file.h"
+#include "import/builder/name_forms.h"
 #include "import/builder/numbers.h"
 #include "import/builder/phong.h"
 #include "skins.h"
@@ -236,6 +237,9 @@ static void read_texture(const struct reader *reader, enum aiTextureType type,
         return;
     }
     const struct aiTexture *inside = embedded(reader, path.data);
+    if (strcasecmp(reader->import->ending, "x3d") == 0) { // assimp has got its blanks as %20
+        path.length = (ai_uint32)strlen(scene_name_decode_percent(path.data));
+    }
     texture->name = scene_assimp_string(reader->import, &path);
     if (inside != NULL && inside->mHeight == 0) {
         texture->source.bytes = inside->pcData;

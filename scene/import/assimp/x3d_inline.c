@@ -5,6 +5,7 @@
 #include "collada_markup.h"
 #include "file.h"
 #include "import/builder/find_file.h"
+#include "import/builder/name_forms.h"
 #include "x3d_document.h"
 #include "x3d_groups.h"
 #include "x3d_made.h"
@@ -73,6 +74,9 @@ static char *read_shown(struct scene_import *import, const struct scene_x3d_docu
     }
     char *const address = scene_x3d_choose_address(import, document, tag, close, "x3d");
     const char *const path = address == NULL ? NULL : scene_import_find_file(import, address);
+    if (address != NULL) {
+        scene_name_decode_percent(address); // for messages
+    }
     const char *const name = address == NULL ? "" : scene_import_string(import, address, strlen(address));
     free(address);
     size_t depth, size;

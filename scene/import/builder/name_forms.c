@@ -42,7 +42,7 @@ static int hex_digit(char c)
                                   : -1;
 }
 
-static char *decode_percent(char *text)
+char *scene_name_decode_percent(char *text)
 {
     char *out = text;
     for (const char *in = text; *in != 0; out++) {
@@ -61,9 +61,9 @@ static void add_uris(struct scene_import *import, struct scene_name_forms *forms
 {
     char *const whole = copy(import, name, length);
     const size_t query = strcspn(whole, "?"), fragment = strcspn(whole, "#");
-    add(import, forms, decode_percent(copy(import, name, length)));
-    add(import, forms, decode_percent(copy(import, name, query)));
-    add(import, forms, decode_percent(copy(import, name, fragment < query ? fragment : query)));
+    add(import, forms, scene_name_decode_percent(copy(import, name, length)));
+    add(import, forms, scene_name_decode_percent(copy(import, name, query)));
+    add(import, forms, scene_name_decode_percent(copy(import, name, fragment < query ? fragment : query)));
     free(whole);
 }
 

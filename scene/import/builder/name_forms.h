@@ -22,6 +22,8 @@ void scene_name_forms_add_code_pages(struct scene_import *import, struct scene_n
 /// one, or the other way round.
 void scene_name_forms_add_accents(struct scene_import *import, struct scene_name_forms *forms,
                                   const char *name);
+/// Decode what is written by percent signs in a name. Return the name.
+char *scene_name_decode_percent(char *text);
 void scene_name_forms_free(struct scene_name_forms *forms);
 
 #endif

@@ -105,8 +105,8 @@ static void test_what_is_not_shown(void **state)
         const char *tag, *warning, *told;
         unsigned triangles;
     } cases[] = {
-        {"<Inline url='\"gone.x3d\"'/>",
-         "file \"gone.x3d\", which it shows: No such file or directory; not drawn", NULL, 1},
+        {"<Inline url='\"is gone &amp; lost.x3d\"'/>",
+         "file \"is gone & lost.x3d\", which it shows: No such file or directory; not drawn", NULL, 1},
         {"<Inline url='\"m.wrl\"'/>", "file \"m.wrl\", which it shows: is no X3D in XML; not drawn", NULL, 1},
         {"<Inline url='m.wrl'><MetadataString/></Inline>",
          "file \"m.wrl\", which it shows: is no X3D in XML; not drawn", NULL, 1},
@@ -115,6 +115,8 @@ static void test_what_is_not_shown(void **state)
         {"<Inline url='\"s.x3d\"'/>", NULL, "files that show each other (X3D): not drawn again", 1},
         {"<Inline url='\"one.x3d\"'/>", NULL, "files that show each other (X3D): not drawn again", 3},
         {"<Inline url='\"empty.x3d\"'/>", NULL, NULL, 1},
+        {SHAPE("\"no image.ppm\""),
+         "texture \"no image.ppm\": No such file or directory; drawn in magenta", NULL, 2},
         {"<Inline url='\"cut.x3d\"'/>",
          "file \"cut.x3d\", which it shows: is cut before the end of its scene; not drawn", NULL, 1},
     };
