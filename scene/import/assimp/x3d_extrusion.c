@@ -243,7 +243,6 @@ static void make_sides(struct scene_import *import, const struct extrusion *extr
                        double crease_angle, struct scene_mesh *mesh)
 {
     const size_t columns = extrusion->section.count, count = extrusion->spine.count * columns;
-    const double half_turn = 3.14159;
     *mesh = (struct scene_mesh){.vertex_count = (uint32_t)count,
                                 .positions = scene_import_allocate(import, count, sizeof *mesh->positions),
                                 .uvs[0] = scene_import_allocate(import, count, sizeof *mesh->uvs[0]),
@@ -261,10 +260,13 @@ static void make_sides(struct scene_import *import, const struct extrusion *extr
         }
     }
     if (crease_angle > 0 && mesh->index_count > 0 && scene_import_finite(mesh->positions[0], 3 * count)) {
+        const bool has_creases = import->has_creases;
+        const double cosine = import->crease_cosine;
         import->has_creases = true;
-        import->crease_cosine = crease_angle >= half_turn ? -1 : scene_cos(crease_angle);
+        import->crease_cosine = scene_x3d_crease_cosine(crease_angle);
         scene_import_make_smooth(import, mesh, NULL, false);
-        import->has_creases = false;
+        import->has_creases = has_creases;
+        import->crease_cosine = cosine;
     }
 }
 

@@ -6,7 +6,6 @@
 // assimp takes for faces, so they are written in pieces of two.
 #include "x3d_faces.h"
 
-#include "elementary.h"
 #include "import/builder/decimal.h"
 #include "import/builder/import.h"
 #include "x3d_set.h"
@@ -390,12 +389,12 @@ bool scene_x3d_normals_of(const struct aiMesh *mesh, enum scene_x3d_normals *nor
     if (memcmp(&mark->y, &y, sizeof y) != 0 || memcmp(&mark->z, &z, sizeof z) != 0) {
         return false;
     }
-    const double angle = (double)mark->x, half_turn = 3.14159;
+    const double angle = (double)mark->x;
     *normals = angle >= 0     ? SCENE_X3D_CREASED
                : angle > -1.5 ? SCENE_X3D_GIVEN
                : angle > -2.5 ? SCENE_X3D_OPEN
                               : SCENE_X3D_SHARED;
-    *cosine = angle >= half_turn || *normals == SCENE_X3D_SHARED ? -1 : angle > 0 ? scene_cos(angle) : 1;
+    *cosine = *normals == SCENE_X3D_SHARED ? -1 : scene_x3d_crease_cosine(angle);
     return true;
 }
 

@@ -2,6 +2,7 @@
 // The numbers that geometry is made of, and those that it becomes.
 #include "x3d_made.h"
 
+#include "elementary.h"
 #include "import/builder/decimal.h"
 
 #include <math.h>
@@ -16,6 +17,12 @@ double scene_x3d_number_of(char *tag, char *close, const char *name, double usua
     return value.text != NULL && scene_decimal_read(value.text, value.text + value.length, &number) != NULL
                ? number
                : usual;
+}
+
+double scene_x3d_crease_cosine(double angle)
+{
+    const double half_turn = 3.14159; // as files round it
+    return angle >= half_turn ? -1 : angle > 0 ? scene_cos(angle) : 1;
 }
 
 bool scene_x3d_is_false(char *tag, char *close, const char *name)

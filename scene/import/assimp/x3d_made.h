@@ -47,6 +47,8 @@ void scene_x3d_write_vertices(struct scene_import *import, const struct scene_x3
 
 /// Return the number of an attribute, or `usual` where it has none.
 double scene_x3d_number_of(char *tag, char *close, const char *name, double usual);
+/// Return the cosine of a crease angle in radians, −1 from half a turn on, 1 where all is flat.
+double scene_x3d_crease_cosine(double angle);
 /// Return true for an attribute that is false.
 bool scene_x3d_is_false(char *tag, char *close, const char *name);
 /// Return the numbers of an attribute, or of `usual` where the tag has none, and how many there are. These are 0 if

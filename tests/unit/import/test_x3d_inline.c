@@ -115,8 +115,8 @@ static void test_what_is_not_shown(void **state)
         {"<Inline url='\"s.x3d\"'/>", NULL, "files that show each other (X3D): not drawn again", 1},
         {"<Inline url='\"one.x3d\"'/>", NULL, "files that show each other (X3D): not drawn again", 3},
         {"<Inline url='\"empty.x3d\"'/>", NULL, NULL, 1},
-        {SHAPE("\"no image.ppm\""),
-         "texture \"no image.ppm\": No such file or directory; drawn in magenta", NULL, 2},
+        {SHAPE("\"no image.ppm\""), "texture \"no image.ppm\": No such file or directory; drawn in magenta",
+         NULL, 2},
         {"<Inline url='\"cut.x3d\"'/>",
          "file \"cut.x3d\", which it shows: is cut before the end of its scene; not drawn", NULL, 1},
     };
