@@ -147,7 +147,7 @@ static void test_many_files(void **state)
     (void)state;
     enum { FILES = 12 };
     for (int i = 0; i < FILES; i++) {
-        char name[16], next[512] = "", one[32];
+        char name[32], next[512] = "", one[32];
         snprintf(name, sizeof name, "n%d.x3d", i);
         snprintf(one, sizeof one, "<Inline url='n%d.x3d'/>", i + 1);
         for (int k = 0; k < 10 && i + 1 < FILES; k++) {
